@@ -28,6 +28,9 @@ impl Engine for Library {
             reports_contacts: false,
             levels: vec![Level::Project],
             laws: vec![],
+            shapes: vec![],
+            bodies: vec![],
+            sleeping: None,
             options: Options::new(),
         })
     }

@@ -109,3 +109,24 @@ fn a_ray_a_breakdown_and_a_refusal_are_told_apart() {
     assert_eq!(ended("pgs", &points(&[0.0])), Failure::Refused);
     assert_eq!(ended("lemke", &hard(Law::Coulomb, 3, true)), Failure::Refused);
 }
+
+#[test]
+fn a_start_changes_the_way_of_those_solvers_that_take_one_and_of_no_other() {
+    let problems: Vec<_> = [(Law::Frictionless, 1), (Law::Coulomb, 2), (Law::Associated, 3)]
+        .into_iter()
+        .flat_map(|(law, rows)| variants(law, rows, true).into_iter())
+        .collect();
+    for name in ALL.names() {
+        let solver = ALL.by_name(name).expect("listed");
+        let changes = problems.iter().any(|problem| {
+            let Ok(cold) = solver.solve(problem, None) else { return false };
+            // the answer itself, and far from it
+            let far = DVector::from_fn(problem.rows(), |row, _| if row % problem.rows_per_contact() == 0 { 3.0 } else { 0.125 });
+            [cold.impulse.clone(), far].iter().any(|start| match solver.solve(problem, Some(start)) {
+                Ok(warm) => (warm.iterations, &warm.impulse) != (cold.iterations, &cold.impulse),
+                Err(_) => true,
+            })
+        });
+        assert_eq!(changes, solver.takes_start(), "{name}");
+    }
+}

@@ -5,26 +5,68 @@ import math
 from _protocol import Unsupported
 
 GROUND = "ground"
+# What an engine declares if its description does not say: see `shapes` and `bodies` there.
+BASIC_SHAPES = ["sphere", "box"]
+FREE_BODIES = ["free"]
+FIELDS = {"name", "mass", "inertia", "position", "orientation", "linear_velocity",
+          "angular_velocity", "static", "prescribed"}
+
+
+def shape_of(body):
+    """The name of a body's shape, which is the field that is none of the others."""
+    shapes = sorted(set(body) - FIELDS)
+    return shapes[0] if len(shapes) == 1 else f"none or several: {shapes}"
+
+
+def kind_of(body):
+    """Whether a body is `free`, `static`, or has a `prescribed` velocity."""
+    if body.get("static"):
+        return "static"
+    return "prescribed" if body.get("prescribed") is not None else "free"
+
+
+def require_declared(description, scene):
+    """Refuse a scene with a shape or a kind of body that the description does not declare."""
+    shapes = description.get("shapes", BASIC_SHAPES)
+    kinds = description.get("bodies", FREE_BODIES)
+    for body in scene["bodies"]:
+        for what, found, known in (("a shape", shape_of(body), shapes),
+                                   ("a body that is", kind_of(body), kinds)):
+            if found not in known:
+                raise Unsupported(f"{description['name']} has no such thing as {what} {found!r} "
+                                  f"(body {body['name']!r}); it has {', '.join(known)}")
 
 
 def solid_inertia(body):
     """Principal moments [kg m²] about the centre of mass: as given, else those of the solid.
 
     Sphere: 2/5 m r² (1, 1, 1).  Box with half extents a, b, c: m/3 (b²+c², a²+c², a²+b²).
+    Cylinder of the height 2l: m (r²/4 + l²/3, the same, r²/2).  Capsule: a cylinder and two half
+    balls of the same density, each with its centre of mass 3r/8 beyond its end of the cylinder.
     """
     if "inertia" in body:
         return list(body["inertia"])
     mass = body["mass"]
     if "sphere" in body:
         return [0.4 * mass * body["sphere"]["radius"] ** 2] * 3
+    if "cylinder" in body or "capsule" in body:
+        size = body.get("cylinder") or body["capsule"]
+        r, l = size["radius"], size["half_height"]
+        balls = 0.0 if "cylinder" in body else mass * 2 * r / (3 * l + 2 * r)
+        middle = mass - balls
+        across = (middle * (r * r / 4 + l * l / 3)
+                  + balls * (0.4 * r * r + l * l + 0.75 * l * r))
+        return [across, across, 0.5 * middle * r * r + 0.4 * balls * r * r]
     a, b, c = body["box"]["half_extents"]
     return [mass / 3 * (b * b + c * c), mass / 3 * (a * a + c * c), mass / 3 * (a * a + b * b)]
 
 
 def initial_state(body):
     """(position, orientation [w,x,y,z], linear velocity, angular velocity), defaults filled in."""
+    prescribed = body.get("prescribed") or {}
     return (body["position"], body.get("orientation", [1.0, 0.0, 0.0, 0.0]),
-            body.get("linear_velocity", [0.0] * 3), body.get("angular_velocity", [0.0] * 3))
+            prescribed.get("velocity", body.get("linear_velocity", [0.0] * 3)),
+            prescribed.get("angular_velocity", body.get("angular_velocity", [0.0] * 3)))
 
 
 def rotation_to_normal(normal):

@@ -21,8 +21,8 @@ from importlib.metadata import version
 import pybullet
 
 from _protocol import Unsupported, serve
-from _scene import (GROUND, initial_state, multiplied_values, pair_values, record,
-                    rotation_to_normal, solid_inertia)
+from _scene import (GROUND, initial_state, kind_of, multiplied_values, pair_values, record,
+                    require_declared, rotation_to_normal, shape_of, solid_inertia)
 from _settings import contact_model, in_force, options_of
 
 VERSION = version("pybullet")
@@ -46,6 +46,8 @@ OPTIONS = {
     "maximal_coordinates": False, "rigid_ground": False, "split_impulse": True, "warm_starting_factor": 0.1,
 }
 
+ROUND = {"capsule": pybullet.GEOM_CAPSULE, "cylinder": pybullet.GEOM_CYLINDER}
+
 
 def describe(request):
     """Name, version and contact model under the request's options."""
@@ -55,7 +57,9 @@ def describe(request):
         "name": "bullet", "version": VERSION, "precision": "double",
         "contact_model": contact_model("rigid", "coulomb", PARAMETERS, values),
         "restitution": True, "friction": "cone" if cone else "pyramid",
-        "reports_contacts": True, "levels": ["simulate"], "options": options_of(OPTIONS, values),
+        "reports_contacts": True, "levels": ["simulate"], "bodies": ["free", "static"],
+        "shapes": ["sphere", "box", "capsule", "cylinder"],
+        "options": options_of(OPTIONS, values),
     }
 
 
@@ -121,15 +125,24 @@ class World:
 
     def _body(self, body):
         position, (w, x, y, z), linear, angular = initial_state(body)
-        if "sphere" in body:
+        kind = shape_of(body)
+        if kind == "sphere":
             shape = self._call("createCollisionShape", pybullet.GEOM_SPHERE,
                                radius=body["sphere"]["radius"])
+        elif kind in ("capsule", "cylinder"):
+            shape = self._call("createCollisionShape", ROUND[kind], radius=body[kind]["radius"],
+                               height=2 * body[kind]["half_height"])
         else:
             shape = self._call("createCollisionShape", pybullet.GEOM_BOX,
                                halfExtents=body["box"]["half_extents"])
-        handle = self._call("createMultiBody", body["mass"], shape, basePosition=position,
+        moves = kind_of(body) == "free"
+        handle = self._call("createMultiBody", body["mass"] if moves else 0, shape, basePosition=position,
                             baseOrientation=[x, y, z, w],
                             useMaximalCoordinates=self.values["maximal_coordinates"])
+        if not moves:
+            self._material(handle, body["name"],
+                           collisionMargin=self.values["collision_margin"])
+            return handle
         self._material(handle, body["name"], mass=body["mass"],
                        localInertiaDiagonal=solid_inertia(body),
                        collisionMargin=self.values["collision_margin"],
@@ -176,6 +189,7 @@ class World:
 
 def simulate(request):
     """{scene, time_step, sample_every, options} → trajectory/1."""
+    require_declared(describe(request), request["scene"])
     values = in_force("bullet", PARAMETERS, OPTIONS, request, FIXED)
     world = World(request["scene"], request["time_step"], values)
     try:

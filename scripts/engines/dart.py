@@ -17,7 +17,7 @@ import numpy as np
 
 from _protocol import Unsupported, serve
 from _scene import (GROUND, initial_state, multiplied_values, pair_values, record,
-                    smallest_values, solid_inertia)
+                    require_declared, smallest_values, solid_inertia)
 from _settings import contact_model, in_force, options_of
 
 VERSION = version("dartpy")
@@ -137,6 +137,7 @@ class World:
 
 def simulate(request):
     """{scene, time_step, sample_every, options} → trajectory/1."""
+    require_declared(describe(request), request["scene"])
     values = in_force("dart", PARAMETERS, OPTIONS, request, FIXED)
     engine = {"name": "dart", "version": VERSION, "options": values}
     return record(request, engine, World(request["scene"], request["time_step"], values))

@@ -30,7 +30,7 @@ sys.path.insert(0, _here)
 import _drake_dump  # noqa: E402
 import _drake_facts  # noqa: E402
 from _protocol import Unsupported, serve  # noqa: E402
-from _scene import GROUND, initial_state, record, solid_inertia  # noqa: E402
+from _scene import GROUND, initial_state, record, require_declared, solid_inertia  # noqa: E402
 from _settings import (contact_model, in_force, options_of,  # noqa: E402
                        require_declared_restitution)
 
@@ -173,6 +173,7 @@ class Model:
 
 def simulate(request):
     """{scene, time_step, sample_every, options} → trajectory/1."""
+    require_declared(describe(request), request["scene"])
     options = _settings(request)
     engine = {"name": "drake", "version": VERSION, "options": options}
     return record(request, engine, Model(request["scene"], request["time_step"], options))

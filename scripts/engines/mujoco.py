@@ -26,7 +26,8 @@ import _mujoco_dump  # noqa: E402
 import _mujoco_facts  # noqa: E402
 import _mujoco_geometry  # noqa: E402
 from _protocol import Unsupported, serve  # noqa: E402
-from _scene import (GROUND, initial_state, pair_friction, record, rotation_to_normal,  # noqa: E402
+from _scene import (GROUND, initial_state, kind_of, pair_friction, record,  # noqa: E402
+                    require_declared, rotation_to_normal, shape_of,  # noqa: E402
                     solid_inertia)
 from _settings import (contact_model, in_force, options_of,  # noqa: E402
                        require_declared_restitution)
@@ -67,6 +68,7 @@ def describe(request):
         "contact_model": model, "restitution": False,
         "friction": "cone" if values["cone"] == "elliptic" else "pyramid",
         "reports_contacts": values["integrator"] != "RK4", "levels": ["simulate", "dump"],
+        "bodies": ["free", "static"], "shapes": ["sphere", "box", "capsule", "cylinder"],
         "options": options_of(OPTIONS, values),
     }
 
@@ -93,27 +95,29 @@ def model_of(scene, time_step, options):
     """The MuJoCo model: free bodies with explicit contact pairs, so nothing is mixed by rules."""
     if scene.get("ground") is not None and scene["ground"]["normal"][2] < -0.999:
         raise Unsupported("a ground plane that faces straight down")
-    world, pairs, names = [], [], []
+    world, pairs, names = [], [], []  # names with whether a body moves
     if scene.get("ground") is not None:
         normal = np.array(scene["ground"]["normal"])
         world.append(f'<geom name="{GROUND}" type="plane" size="0 0 1" contype="0" '
                      f'conaffinity="0" pos="{_numbers(scene["ground"]["offset"] * normal)}" '
                      f'quat="{_numbers(rotation_to_normal(normal))}"/>')
-        names.append(GROUND)
+        names.append((GROUND, False))
     for body in scene["bodies"]:
         position, orientation, _, _ = initial_state(body)
-        if "sphere" in body:
-            shape = f'type="sphere" size="{body["sphere"]["radius"]!r}"'
-        else:
-            shape = f'type="box" size="{_numbers(body["box"]["half_extents"])}"'
+        kind = shape_of(body)
+        size = body[kind].get("half_extents") or [
+            body[kind][length] for length in ("radius", "half_height") if length in body[kind]]
+        shape = f'type="{kind}" size="{_numbers(size)}"'
+        moves = kind_of(body) == "free"
+        inertial = (f'<freejoint/><inertial pos="0 0 0" mass="{body["mass"]!r}" '
+                    f'diaginertia="{_numbers(solid_inertia(body))}"/>') if moves else ""
         world.append(
             f'<body name="{body["name"]}" pos="{_numbers(position)}" '
-            f'quat="{_numbers(orientation)}"><freejoint/>'
-            f'<inertial pos="0 0 0" mass="{body["mass"]!r}" '
-            f'diaginertia="{_numbers(solid_inertia(body))}"/>'
+            f'quat="{_numbers(orientation)}">{inertial}'
             f'<geom name="{body["name"]}" {shape} contype="0" conaffinity="0"/></body>')
-        pairs += [_pair(scene, body["name"], other, options) for other in names]
-        names.append(body["name"])
+        pairs += [_pair(scene, body["name"], other, options) for other, also_moves in names
+                  if moves or also_moves]
+        names.append((body["name"], moves))
     keys = ("solver", "cone", "integrator", "iterations", "tolerance", "ls_iterations",
             "ls_tolerance", "noslip_iterations", "impratio")
     settings = " ".join(f'{key}="{options[key]}"' for key in keys)
@@ -121,6 +125,10 @@ def model_of(scene, time_step, options):
         f'<mujoco><option timestep="{time_step!r}" jacobian="dense" '
         f'gravity="{_numbers(scene["gravity"])}" {settings}/>'
         f'<worldbody>{"".join(world)}</worldbody><contact>{"".join(pairs)}</contact></mujoco>')
+
+
+def _free(scene):
+    return [body for body in scene["bodies"] if kind_of(body) == "free"]
 
 
 def _rotation(quaternion):
@@ -133,7 +141,7 @@ def start(scene, time_step, options):
     """Model and data at t = 0; free-joint angular velocities are kept in the body frame."""
     model = model_of(scene, time_step, options)
     data = mujoco.MjData(model)
-    for i, body in enumerate(scene["bodies"]):
+    for i, body in enumerate(_free(scene)):
         position, orientation, linear, angular = initial_state(body)
         data.qpos[7 * i:7 * i + 7] = [*position, *orientation]
         data.qvel[6 * i:6 * i + 3] = linear
@@ -146,11 +154,16 @@ class World:
 
     def __init__(self, scene, time_step, options):
         self.model, self.data = start(scene, time_step, options)
-        self.bodies = len(scene["bodies"])
+        free = iter(range(len(_free(scene))))
+        self.places = [next(free) if kind_of(body) == "free" else initial_state(body)
+                       for body in scene["bodies"]]
 
     def states(self):
         """(x, q, v, w) of every body."""
-        for i in range(self.bodies):
+        for i in self.places:
+            if not isinstance(i, int):  # a static body is where it was
+                yield i
+                continue
             q, v = self.data.qpos[7 * i:7 * i + 7], self.data.qvel[6 * i:6 * i + 6]
             yield q[:3], q[3:], v[:3], _rotation(q[3:]) @ v[3:]
 
@@ -169,6 +182,7 @@ class World:
 
 def simulate(request):
     """{scene, time_step, sample_every, options} → trajectory/1."""
+    require_declared(describe(request), request["scene"])
     options = _settings(request)
     world = World(request["scene"], request["time_step"], options)
     engine = {"name": "mujoco", "version": mujoco.__version__, "options": options}

@@ -22,7 +22,8 @@ sys.path.insert(0, _here)
 import math  # noqa: E402
 
 from _protocol import Unsupported, serve  # noqa: E402
-from _scene import common_value, initial_state, record, solid_inertia  # noqa: E402
+from _scene import (common_value, initial_state, record, require_declared,  # noqa: E402
+                    solid_inertia)
 from _settings import contact_model, in_force, options_of  # noqa: E402
 
 LARGEST_ANGULAR_SPEED = 1e16  # rad/s; PhysX clamps at 100 unless told otherwise
@@ -151,6 +152,7 @@ class World:
 
 def simulate(request):
     """{scene, time_step, sample_every, options} → trajectory/1."""
+    require_declared(describe(request), request["scene"])
     values = _in_force(request)
     world = World(request["scene"], request["time_step"], values)
     engine = {"name": "sapien", "version": sapien.__version__, "options": values}

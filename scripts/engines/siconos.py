@@ -31,7 +31,8 @@ sys.path.insert(0, _here)
 import _problem  # noqa: E402
 from _contact_points import rotation  # noqa: E402
 from _protocol import Unsupported, serve  # noqa: E402
-from _scene import GROUND, initial_state, pair_values, record, solid_inertia  # noqa: E402
+from _scene import (GROUND, initial_state, pair_values, record, require_declared,  # noqa: E402
+                    solid_inertia)
 from _settings import contact_model, in_force, options_of  # noqa: E402
 from _siconos_relations import OrthonormalTouch, Pair, Touch  # noqa: E402
 
@@ -179,6 +180,7 @@ def _body(scene, body):
 
 def simulate(request):
     """{scene, time_step, sample_every, options} → trajectory/1."""
+    require_declared(describe(request), request["scene"])
     values = in_force("siconos", PARAMETERS, OPTIONS, request)
     with _silent_output():
         world = World(request["scene"], request["time_step"], values)

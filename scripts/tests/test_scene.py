@@ -57,5 +57,36 @@ class Steps(unittest.TestCase):
                 _scene.Recorder(scene(), {}, 0.1, count)
 
 
+class Declared(unittest.TestCase):
+    def scene(self, **body):
+        shape = {} if {"box", "capsule", "cylinder"} & set(body) else {"sphere": {"radius": 1.0}}
+        return {"bodies": [{"name": "one", "position": [0, 0, 0], **shape, **body}]}
+
+    def test_what_is_declared_is_taken(self):
+        _scene.require_declared({"name": "toy"}, self.scene(mass=1.0))
+        _scene.require_declared({"name": "toy", "bodies": ["free", "static"]}, self.scene(static=True))
+        _scene.require_declared({"name": "toy", "shapes": ["capsule"]},
+                                self.scene(mass=1.0, capsule={"radius": 1.0, "half_height": 1.0}))
+
+    def test_what_is_not_declared_is_unsupported_by_name(self):
+        for body, word in (({"static": True}, "static"), ({"prescribed": {"velocity": [1, 0, 0]}}, "prescribed"),
+                           ({"mass": 1.0, "cylinder": {"radius": 1.0, "half_height": 1.0}}, "cylinder"),
+                           ({"mass": 1.0, "helix": {}}, "helix")):
+            with self.assertRaisesRegex(Unsupported, word):
+                _scene.require_declared({"name": "toy"}, self.scene(**body))
+
+    def test_a_prescribed_body_starts_with_its_velocity(self):
+        body = self.scene(prescribed={"velocity": [1, 2, 3]})["bodies"][0]
+        self.assertEqual(_scene.initial_state(body)[2:], ([1, 2, 3], [0.0] * 3))
+
+    def test_a_long_capsule_has_nearly_the_moments_of_a_cylinder_and_a_short_one_those_of_a_ball(self):
+        def moments(shape, half_height):
+            return _scene.solid_inertia({"mass": 1.0, shape: {"radius": 1.0, "half_height": half_height}})
+
+        for found, expected in zip(moments("capsule", 1e-9), (0.4, 0.4, 0.4)):
+            self.assertAlmostEqual(found, expected, 6)
+        self.assertAlmostEqual(moments("capsule", 1e6)[2], moments("cylinder", 1e6)[2], 6)
+
+
 if __name__ == "__main__":
     unittest.main()

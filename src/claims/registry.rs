@@ -65,13 +65,14 @@ pub fn all() -> impl Iterator<Item = &'static Claim> {
 
 /// The claim with this id.
 pub fn find(id: &str) -> Option<&'static Claim> {
-    all().find(|claim| claim.id == id)
+    all().find(|claim| claim.id.eq_ignore_ascii_case(id))
 }
 
 /// Whether an id lies in a group given by dot-separated parts: `S4` holds `S4.sigma` but not `S40.x`, and `R` holds `R6`.
 pub fn matches_group(id: &str, group: &str) -> bool {
     let mut parts = id.split('.');
-    group == group_of(id) || group.split('.').all(|wanted| parts.next() == Some(wanted))
+    let same = |part: &str, wanted: &str| part.eq_ignore_ascii_case(wanted);
+    same(group, group_of(id)) || group.split('.').all(|wanted| parts.next().is_some_and(|part| same(part, wanted)))
 }
 
 /// Runs the check of a claim on the recorded reading and on its controls.

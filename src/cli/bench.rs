@@ -5,7 +5,7 @@ use super::output::print;
 use super::posed::{self, answer_of};
 use super::problem_law::LawOption;
 use super::solver_options::ToleranceOption;
-use super::{Answer, Format, solver_table};
+use super::{Answer, Format, progress, solver_table};
 use crate::files::write_atomically;
 use crate::number::significant;
 use crate::problem::{Posed, Solution};
@@ -55,7 +55,8 @@ Examples:
   moreau bench problems/ --solver auto --solver pgs --format json > times.json
   moreau bench problems/ --law associated --tolerance 1e-12 --answers answers/
 
-Exit code 0: every problem was solved by some solver; 1: some was not; 2: a file cannot be read.";
+Exit code 0: every problem was solved by some solver, or has no solution, as is proved; 1: some was not solved; 2: a file
+cannot be read.";
 
 /// What the columns and the lines below them are.
 fn explained() -> String {
@@ -70,7 +71,8 @@ A line per problem and solver:
   ρ = 1       ‖r − P_K(r − ŷ)‖/‖q‖ with ρ = 1 kg and q = u_free + shift, the number other collections compare; it decides nothing, and
               polyhedral laws have none
   iterations  sweeps, steps or pivots of that solve
-In place of the numbers stands why there is no answer; `not solved` is an answer that the certificate rejects.
+In place of the numbers stands why there is no answer; `not solved` is an answer that the certificate rejects; `no solution, as is
+proved` that the problem has none, so that no answer is the right one, and it counts neither as solved nor as not.
 
 A line per solver, below:
   shifted geometric mean    exp(mean ln(t + s)) − s over the problems that it solved, s = {shift} ms: ten times as long counts alike for
@@ -91,27 +93,44 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     if !(arguments.repeat >= 0.0 && arguments.repeat.is_finite()) {
         return Err(Error::invalid("--repeat", format!("is {}", arguments.repeat), "give a time ≥ 0 in seconds"));
     }
-    arguments.common.memory.apply()?;
+    arguments.common.apply()?;
+    if arguments.solves == Some(0) {
+        return Err(Error::invalid("--solves", "is 0", "give a number from 1"));
+    }
+    if let Some((_, twice)) = arguments.solver.iter().enumerate().find(|(place, name)| arguments.solver[..*place].contains(name)) {
+        return Err(Error::invalid("--solver", format!("names `{twice}` twice"), "name every solver once"));
+    }
     let named = |name: &String| arguments.tolerance.solver(name, None);
     let solvers: Vec<Box<dyn ContactSolver>> = arguments.solver.iter().map(named).collect::<Result<_>>()?;
     let files = files(&arguments.problems)?;
-    let bar = ProgressBar::new((files.len() * solvers.len()) as u64);
-    let mut runs = Vec::new();
-    for file in &files {
-        let problem = arguments.law.pose(Posed::read(file)?)?;
-        let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        for solver in &solvers {
-            runs.push(measured(&problem, &name, solver.as_ref(), arguments)?);
-            bar.inc(1);
-        }
-    }
-    bar.finish_and_clear();
+    let bar = progress::parts(files.len() * solvers.len(), "solves");
+    let runs = progress::shown(&bar, || timed(&files, &solvers, arguments, &bar))?;
     let bench = Bench::new(arguments.tolerance.accepted(), runs);
     print(&match arguments.common.format {
         Format::Text => bench.text(),
         Format::Json => pretty(&bench)?,
     })?;
     Ok(bench.all_solved().into())
+}
+
+/// Every solver on every problem.
+fn timed(files: &[PathBuf], solvers: &[Box<dyn ContactSolver>], arguments: &Arguments, bar: &ProgressBar) -> Result<Vec<Run>> {
+    let mut runs: Vec<Run> = Vec::new();
+    for file in files {
+        let problem = arguments.law.pose(Posed::read(file)?)?;
+        let (name, first) = (file.file_name().unwrap_or_default().to_string_lossy().into_owned(), runs.len());
+        for solver in solvers {
+            bar.set_message(format!(", {name}, {}", solver.name()));
+            runs.push(measured(&problem, &name, solver.as_ref(), arguments)?);
+            bar.inc(1);
+        }
+        // where nobody found a solution there may be none: then that is the right answer
+        let own = &mut runs[first..];
+        if !own.iter().any(|run| run.solved) && posed::has_none(&problem) {
+            own.iter_mut().for_each(|run| run.without_solution = true);
+        }
+    }
+    Ok(runs)
 }
 
 /// The files given, and those of problems in the folders given, in order.
@@ -182,6 +201,7 @@ fn measured(problem: &Posed, name: &str, solver: &dyn ContactSolver, arguments: 
         relative: None,
         natural_map_one: None,
         solved: false,
+        without_solution: false,
         answer: None,
         failure: None,
     };

@@ -1,12 +1,14 @@
 //! `moreau certify`: judges an answer to a contact problem without knowing where it came from.
 
-use super::kind::{Kind, read_problem};
+use super::kind::{Kind, is_lcp, read_problem};
 use super::limits::{CommonOptions, check_tolerance, default_tolerance};
 use super::output::print;
+use super::remarks::remark;
 use super::residual_names::RESIDUALS;
-use super::{Answer, Format, posed};
+use super::{Answer, Format, posed, progress};
 use crate::certificate::backward::backward;
-use crate::certificate::forward::forward;
+use crate::certificate::forward::{Forward, forward};
+use crate::certificate::impulse_set::impulse_set;
 use crate::certificate::lcp_proof::{Count, count_with, lcp_of, prove};
 use crate::certificate::polyhedral_proof::prove_polyhedral;
 use crate::certificate::residuals;
@@ -15,8 +17,9 @@ use crate::problems::from_several_starts;
 use crate::report::certificate::Certificate;
 use crate::report::json::pretty;
 use crate::report::lcp_proof::{Counted, LcpProved};
-use crate::report::proofs::Proofs;
+use crate::report::proofs::{Proofs, no_solution};
 use crate::solvers::{self, Solvers};
+use crate::tolerance::proof::LOADED;
 use crate::{Error, Result};
 use std::path::PathBuf;
 
@@ -37,9 +40,12 @@ pub struct Arguments {
     #[arg(long, default_value = default_tolerance(), value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: f64,
     /// Prove, in fractions, how far the nearest problem is that impulses near these solve exactly; and by intervals, within which radius
-    /// the problem itself has a solution, or why that is not proved; whether velocities are unique; whether there is no solution at all.
+    /// the problem itself has a solution, or why that is not proved, and how many dimensions the impulses with its velocity have; whether
+    /// velocities are unique; whether there is no solution at all; how many velocities there are, to six contacts in the plane and three in
+    /// space.
     /// Of polyhedral friction, how far a solution of its complementarity problem is. Of a linear complementarity problem, moreover: how far
-    /// a solution is, and how many there are; without an answer, the latter alone.
+    /// a solution is, and how many there are; without an answer, the latter alone. Of a problem with joints nothing is proved: it has the
+    /// ordinary verdict.
     #[arg(long)]
     prove: bool,
     #[command(flatten)]
@@ -61,23 +67,34 @@ Exit code 0: a solution, or one is proved to exist; 1: not a solution, or none i
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
-    arguments.common.memory.apply()?;
-    let tolerance = arguments.tolerance;
-    check_tolerance("--tolerance", tolerance)?;
+    arguments.common.apply()?;
+    check_tolerance("--tolerance", arguments.tolerance)?;
     let posed = read_problem(&arguments.problem, USAGE)?;
-    if let (Posed::Jointed(_), false) = (&posed, arguments.prove) {
-        return jointed(arguments, &posed);
-    }
-    let problem = posed::contacts(&posed, "--prove").map_err(|error| error.in_file(&arguments.problem))?;
+    remark(&arguments.problem, &posed, arguments.common.format);
+    let bar = progress::word(if arguments.prove { "proving" } else { "judging" });
+    let (text, accepted) = progress::shown(&bar, || judged(arguments, &posed))?;
+    print(&text)?;
+    Ok(accepted.into())
+}
+
+/// The certificate as it is printed, and whether the answer is yes.
+fn judged(arguments: &Arguments, posed: &Posed) -> Result<(String, bool)> {
+    let problem = match posed {
+        Posed::Contacts(problem) => problem,
+        Posed::Jointed(_) => return jointed(arguments, posed),
+    };
     let lcp = arguments.prove.then(|| lcp_of(problem)).flatten();
     if let (Some(lcp), None) = (&lcp, &arguments.solution) {
         let counted = Counted::new(problem.name(), lcp, &counted(problem, lcp, None)?);
-        print(&if arguments.common.format == Format::Json { pretty(&counted)? } else { counted.text() })?;
-        return Ok(counted.is_solvable().into());
+        let text = if arguments.common.format == Format::Json { pretty(&counted)? } else { counted.text() };
+        return Ok((text, counted.is_solvable()));
     }
-    let (file, solution) = read_answer(arguments, &posed)?;
+    let (file, solution) = read_answer(arguments, posed)?;
     let residuals = residuals(problem, &solution).map_err(|error| error.in_file(file))?;
-    let mut certificate = Certificate::new(problem, &solution, &residuals, tolerance);
+    let mut certificate = Certificate::new(problem, &solution, &residuals, arguments.tolerance);
+    if is_lcp(&arguments.problem, posed) {
+        certificate = certificate.without_units();
+    }
     if arguments.prove {
         certificate = match backward(problem, &solution.impulse) {
             Ok(proof) => certificate.with_proof(&proof),
@@ -85,38 +102,49 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
             Err(Error::Unsupported(reason)) => certificate.without_proof(reason),
             Err(error) => return Err(error.in_file(file)),
         };
-        certificate = certificate.with_solution_near(&forward(problem, &solution).map_err(|error| error.in_file(file))?);
+        let near = forward(problem, &solution).map_err(|error| error.in_file(file))?;
+        let impulses = match &near {
+            Forward::Proved(radius) => impulse_set(problem, &solution, radius),
+            Forward::NotProved(_) => None,
+        };
+        certificate = certificate.with_solution_near(&near, impulses);
         if matches!(problem.law(), Law::PolyhedralCoulomb { .. }) {
             let answer = prove_polyhedral(problem, &solution).map_err(|error| error.in_file(file))?;
             certificate = certificate.with_lcp(LcpProved::polyhedral(&problem.stewart_trinkle_lcp()?, &answer));
         }
         if lcp.is_none() {
-            let accepted = certificate.accepts();
+            let exists = certificate.is_near_a_solution();
             let started = || from_several_starts(problem, std::slice::from_ref(&solution), &Solvers::own());
-            certificate = certificate.with_proofs(Proofs::new(problem, accepted, started)?);
+            certificate = certificate.with_proofs(Proofs::new(problem, exists, started)?);
         }
     }
     if let Some(lcp) = &lcp {
         let answer = prove(lcp, &solution.impulse).map_err(|error| error.in_file(file))?;
         certificate = certificate.with_lcp(LcpProved::new(lcp, Some(&answer), &counted(problem, lcp, Some(&solution))?));
     }
+    if certificate.accepts() && !arguments.prove && residuals.judged.loaded > LOADED {
+        certificate = certificate.with_no_solution(no_solution(problem));
+    }
     show(&certificate, arguments.common.format)
 }
 
 /// The certificate of an answer with joints.
-fn jointed(arguments: &Arguments, posed: &Posed) -> Result<Answer> {
+fn jointed(arguments: &Arguments, posed: &Posed) -> Result<(String, bool)> {
     let (file, solution) = read_answer(arguments, posed)?;
     let residuals = posed::judge(posed, &solution).map_err(|error| error.in_file(file))?;
-    let certificate = posed::certificate(posed, &solution, residuals, arguments.tolerance);
+    let mut certificate = posed::certificate(posed, &solution, residuals, arguments.tolerance);
+    if arguments.prove {
+        certificate = certificate.without_proof("proofs are of contacts alone, and this problem has joints".into());
+    }
     show(&certificate, arguments.common.format)
 }
 
-fn show(certificate: &Certificate, format: Format) -> Result<Answer> {
-    print(&match format {
+fn show(certificate: &Certificate, format: Format) -> Result<(String, bool)> {
+    let text = match format {
         Format::Text => certificate.text(),
         Format::Json => pretty(certificate)?,
-    })?;
-    Ok(certificate.accepts().into())
+    };
+    Ok((text, certificate.accepts()))
 }
 
 /// The answer, and the file that it is in.

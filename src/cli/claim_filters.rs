@@ -16,6 +16,9 @@ pub struct Filters {
     /// and V, which --filter takes.
     #[arg(long, value_name = "NUMBER", value_parser = section_number, conflicts_with = "filter")]
     section: Option<usize>,
+    /// Only claims that have all of these words in id, statement, correction or source, in any case; part of a word will do.
+    #[arg(long, value_name = "WORDS", conflicts_with = "export")]
+    search: Option<String>,
     /// Only claims with this verdict.
     #[arg(long, value_parser = one_of(VERDICTS), value_name = "VERDICT")]
     verdict: Option<ClaimVerdict>,
@@ -81,6 +84,11 @@ impl Filters {
             }));
         }
         let chosen: Vec<_> = in_group.into_iter().filter(|claim| self.is_met(claim)).collect();
+        if let (true, Some(words)) = (chosen.is_empty(), &self.search) {
+            let all = claims::all().flat_map(|claim| claim.statement.split(|letter: char| !letter.is_alphanumeric()));
+            let cure = suggestion(words, all, "try a part of a word, or fewer words");
+            return Err(Error::Unsupported(format!("--search {words}: no claim has these words; {cure}")));
+        }
         if chosen.is_empty() {
             return Err(Error::Unsupported("no claim meets all of the filters; leave one out".into()));
         }
@@ -102,5 +110,14 @@ impl Filters {
         self.verdict.is_none_or(|verdict| claim.verdict == verdict)
             && self.severity.is_none_or(|severity| claim.severity == Some(severity))
             && self.kind.is_none_or(|kind| claim.kind == kind)
+            && self.search.as_ref().is_none_or(|words| has_words(claim, words))
     }
+}
+
+/// Whether a claim has all of these words.
+fn has_words(claim: &Claim, words: &str) -> bool {
+    let places = claim.sources.iter().copied();
+    let text: Vec<&str> = [claim.id, claim.statement, claim.correct_statement].into_iter().chain(places).collect();
+    let text = text.join(" ").to_lowercase();
+    words.to_lowercase().split_whitespace().all(|word| text.contains(word))
 }

@@ -3,7 +3,9 @@
 use super::certificate_options::CertificateOptions;
 use super::limits::CommonOptions;
 use super::near::suggestion;
-use super::output::{keep_input, print};
+use super::number::seconds;
+use super::output::{keep_input, print, require_svg};
+use super::progress;
 use super::scene::{count_steps, positive, stage};
 use super::solver_table::check_name;
 use super::{Answer, Format};
@@ -37,11 +39,11 @@ pub struct Arguments {
     /// The schemes, with commas between them; all of them if absent.
     #[arg(long, value_name = "NAME,NAME", value_delimiter = ',')]
     schemes: Vec<String>,
-    /// Time step h [s].
-    #[arg(long, value_name = "SECONDS", default_value_t = 0.001, allow_hyphen_values = true)]
+    /// Time step h [s], also as a fraction such as 1/240.
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.001, value_parser = seconds, allow_hyphen_values = true)]
     step: f64,
     /// Simulated time [s]; the scene's own if absent.
-    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_hyphen_values = true)]
     duration: Option<f64>,
     /// The solver of the contact problems.
     #[arg(long, value_name = "NAME", default_value = "auto", help = super::solver_table::names(), long_help = super::solver_table::table())]
@@ -63,9 +65,10 @@ Examples:
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
-    arguments.common.memory.apply()?;
+    arguments.common.apply()?;
     let names = arguments.names()?;
     keep_input(Path::new(&arguments.scene), "--plot", arguments.plot.as_deref())?;
+    require_svg("--plot", arguments.plot.as_deref())?;
     check_name(&arguments.solver)?;
     let solver = solvers::ALL.by_name(&arguments.solver)?;
     let duration = arguments.duration.map(|duration| positive("--duration", duration)).transpose()?;
@@ -74,7 +77,8 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let steps = count_steps(duration, arguments.step)?;
     let certified = arguments.certificate.certified(solver.as_ref())?;
     let run = |name: &str| Run::simulate(&arguments.scene, name, &certified, arguments.step, steps);
-    let runs: Vec<_> = names.iter().map(|name| (*name, run(name))).collect();
+    let bar = progress::parts(names.len(), "schemes");
+    let runs: Vec<_> = progress::shown(&bar, || names.iter().map(|name| (*name, run(name))).inspect(|_| bar.inc(1)).collect());
     let motions: Vec<_> = runs.iter().filter_map(|(name, run)| Some((*name, run.as_ref().ok()?.motion()))).collect();
     let outcome = |(name, run): &(&str, Result<Run>)| match run {
         Ok(run) => SchemeOutcome::ran(name, &run.motion().summary(), run.steps()),

@@ -1,13 +1,12 @@
 //! `moreau defects`: the planted mistakes and the checks that catch them.
 
 use super::output::print;
-use super::{Answer, Format};
+use super::{Answer, Format, progress};
 use crate::Result;
 use crate::gate::checks;
 use crate::matrix::Matrix;
 use crate::report::json::pretty;
 use crate::report::matrix::text;
-use indicatif::{ProgressBar, ProgressStyle};
 
 /// Run every check on every planted mistake, and print which check catches which.
 ///
@@ -26,12 +25,8 @@ pub struct Arguments {
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     let checks: Vec<_> = checks::all().collect();
-    let bar = ProgressBar::new(Matrix::size(&checks) as u64);
-    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} planted mistakes and claims  {elapsed}") {
-        bar.set_style(style);
-    }
-    let matrix = Matrix::new(&checks, &|| bar.inc(1))?;
-    bar.finish_and_clear();
+    let bar = progress::parts(Matrix::size(&checks), "planted mistakes and claims");
+    let matrix = progress::shown(&bar, || Matrix::new(&checks, &|| bar.inc(1)))?;
     print(&match arguments.format {
         Format::Text => text(&matrix),
         Format::Json => pretty(&matrix)?,

@@ -1,6 +1,6 @@
 //! What a file is, so that a message can say what was mistaken for what.
 
-use crate::problem::Posed;
+use crate::problem::{Law, Posed};
 use crate::{Error, Result};
 use serde::Deserialize;
 use std::io::Read;
@@ -64,6 +64,18 @@ impl Kind {
     }
 }
 
+/// Whether a file holds a linear complementarity problem, whose numbers have no units.
+pub fn is_lcp(file: &Path, posed: &Posed) -> bool {
+    match posed {
+        Posed::Contacts(problem) if problem.rows_per_contact() == 1 && problem.law() == Law::Frictionless => match Kind::of(file) {
+            Kind::Json(schema) => schema == "lcp/1",
+            Kind::Numbers => true,
+            Kind::Hdf5 | Kind::Unknown => false,
+        },
+        _ => false,
+    }
+}
+
 fn schema(file: &Path) -> Option<String> {
     #[derive(Deserialize)]
     struct Head {
@@ -78,6 +90,10 @@ fn schema(file: &Path) -> Option<String> {
 /// # Errors
 /// Those of [`Posed::read`], and [`Error::Invalid`] where the file holds an answer.
 pub fn read_problem(file: &Path, usage: &str) -> Result<Posed> {
+    if file.is_dir() {
+        let (problem, folder) = (format!("is {}, a folder", file.display()), file.display());
+        return Err(Error::invalid("PROBLEM", problem, format!("give a file in it; `moreau bench {folder}` takes all of them")));
+    }
     Posed::read(file).map_err(|error| match Kind::of(file) {
         kind if kind.is_answer() => {
             let problem = format!("is {}, which is {}, an answer and no problem", file.display(), kind.words());

@@ -3,9 +3,11 @@
 use super::Format;
 use crate::memory::{self, size};
 use crate::number::significant;
+use crate::solvers::threads;
 use crate::tolerance::cli::CERTIFY;
 use crate::tolerance::limits::MEMORY_BYTES;
 use crate::{Error, Result};
+use std::num::NonZeroUsize;
 use std::sync::LazyLock;
 
 /// How much memory a subcommand may take.
@@ -32,10 +34,25 @@ impl MemoryOption {
 #[derive(clap::Args)]
 pub struct CommonOptions {
     #[command(flatten)]
-    pub memory: MemoryOption,
+    memory: MemoryOption,
+    /// Threads of one solver, which gives the same answer bit for bit with any number. Sweeps over very many contacts (`pgs`, problems by
+    /// bodies) use them; smaller ones are faster with one [default: as many as the machine has].
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroUsize>,
     /// How to write the result.
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+}
+
+impl CommonOptions {
+    /// Sets the limits of this process.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if the size of the memory is none.
+    pub fn apply(&self) -> Result<()> {
+        self.threads.into_iter().for_each(threads::set_limit);
+        self.memory.apply()
+    }
 }
 
 /// A number of bytes.

@@ -4,11 +4,13 @@
 //! 3 the engine to be judged could not be run.
 
 mod answer;
+mod asked;
 mod bench;
 mod certificate_options;
 mod certify;
 mod claim_filters;
 mod compare;
+mod completions;
 mod convert;
 mod defects;
 mod drake_options;
@@ -17,14 +19,18 @@ mod engine;
 mod gate;
 mod kind;
 mod limits;
+mod man;
 mod mujoco_options;
 mod near;
+mod number;
 mod output;
 mod owned;
 mod posed;
 mod problem_law;
 mod problems;
+mod progress;
 mod protocol_check;
+mod remarks;
 mod residual_names;
 mod scene;
 mod schema;
@@ -40,7 +46,7 @@ mod verify;
 
 use crate::{Error, Result};
 use answer::{Answer, Format};
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use std::process::ExitCode;
 
 /// Proofs-as-tests for contact time-stepping.
@@ -55,18 +61,22 @@ struct Arguments {
 }
 
 const EXAMPLES: &str = "\
-Examples:
-  moreau verify                              every claim, with verdict and decisive number
-  moreau verify --explain S4.copos-plus      one claim: witness, corrected theorem, sources
-  moreau solve problem.json --out answer.json
-  moreau certify problem.json answer.json    residuals with units: is it a solution?
-  moreau bench problems/                     times of solvers, each beside its certified residual
-  moreau problems list                       contact problems with certified answers
-  moreau simulate --scene bouncing-ball --step 0.01 --plot ball.svg
-  moreau compare bouncing-ball --step 0.01 --plot schemes.svg
-  moreau systems                             every simulator on four axes, with measured agreement
-  moreau gate --quick -- python3 my_engine.py   any simulator through the checks
-  moreau protocol-check -- python3 my_engine.py   what is wrong with an adapter
+What do you want to do?
+  Know whether a sentence of the book is true
+    moreau verify --list --search zeno            the claims that speak of it
+    moreau verify --explain S4.copos-plus         one claim: witness, corrected theorem, sources
+  Solve a contact problem, or know whether an answer is one
+    moreau solve problem.json --out answer.json
+    moreau certify problem.json answer.json       residuals with units: is it a solution?
+  See how a scene moves under a scheme, and under others beside it
+    moreau simulate --scene bouncing-ball --step 0.01 --plot ball.svg
+    moreau compare bouncing-ball --step 0.01 --plot schemes.svg
+  Judge a simulator, and stop the build when its physics changes
+    moreau protocol-check -- python3 my_engine.py what is wrong with an adapter
+    moreau gate --quick -- python3 my_engine.py   every check
+  Choose a solver, or a simulator
+    moreau bench problems/                        times of solvers, each beside its certified residual
+    moreau systems                                every simulator on four axes, with measured agreement
 
 Exit codes:
   0  the answer is yes: every verdict is supported, the answer is a solution
@@ -91,6 +101,8 @@ enum Command {
     Schema(schema::Arguments),
     Scoreboard(scoreboard::Arguments),
     Systems(systems::Arguments),
+    Completions(completions::Arguments),
+    Man(man::Arguments),
 }
 
 /// Runs the command line and returns its exit code.
@@ -119,6 +131,8 @@ pub fn run() -> ExitCode {
         Command::Schema(arguments) => schema::run(&arguments),
         Command::Scoreboard(arguments) => scoreboard::run(&arguments),
         Command::Systems(arguments) => systems::run(&arguments),
+        Command::Completions(arguments) => completions::run(&arguments, Arguments::command()),
+        Command::Man(arguments) => man::run(&arguments, Arguments::command()),
     };
     exit_code(answer)
 }
@@ -147,7 +161,6 @@ fn is_no_answer(error: &Error) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::CommandFactory;
 
     #[test]
     fn the_arguments_are_consistent() {

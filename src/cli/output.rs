@@ -23,6 +23,20 @@ pub fn keep_input(input: &Path, option: &str, output: Option<&Path>) -> Result<(
     }
 }
 
+/// Refuses to draw an SVG picture into a file that is named as something else.
+///
+/// # Errors
+/// [`Error::Invalid`] names the option.
+pub fn require_svg(option: &str, file: Option<&Path>) -> Result<()> {
+    match file.and_then(|file| Some((file, file.extension()?))) {
+        Some((file, end)) if !end.eq_ignore_ascii_case("svg") => {
+            let problem = format!("is {}, and the picture is SVG", file.display());
+            Err(Error::invalid(option, problem, "end the name in .svg"))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Writes to standard output. A reader that stops early (`| head`) is not an error.
 ///
 /// # Errors

@@ -2,11 +2,13 @@
 
 use crate::certificate::joints::{JointedResiduals, jointed_residuals};
 use crate::certificate::natural_map::of_unit_mass;
+use crate::certificate::patterns::solutions;
 use crate::certificate::residuals;
 use crate::problem::{ContactProblem, Posed, Solution};
 use crate::report::certificate::Certificate;
 use crate::report::proofs::no_solution;
 use crate::solvers::{self, ContactSolver, WithoutJoints, solve_jointed};
+use crate::tolerance::proof::LOADED;
 use crate::{Error, Result, memory};
 use nalgebra::DVector;
 use std::path::Path;
@@ -92,7 +94,7 @@ pub fn judge(posed: &Posed, solution: &Solution) -> Result<JointedResiduals> {
 
 /// The answer of a file.
 pub fn read_answer(posed: &Posed, file: &Path) -> Result<Solution> {
-    Solution::read_named(file, name(posed))
+    Solution::read_posed(file, posed)
 }
 
 /// The certificate of an answer with these residuals.
@@ -103,10 +105,24 @@ pub fn certificate<'a>(posed: &'a Posed, solution: &'a Solution, residuals: Join
     }
 }
 
+/// Whether impulses are so large that they may hide that there is no solution: the answer is believed only where that is not proved.
+pub fn is_doubtful(residuals: &JointedResiduals) -> bool {
+    residuals.contacts.judged.loaded > LOADED
+}
+
 /// That there is no solution, where that is proved; nothing is proved of joints.
 pub fn refuted(posed: &Posed) -> Option<String> {
     match posed {
         Posed::Contacts(problem) => no_solution(problem),
         Posed::Jointed(_) => None,
+    }
+}
+
+/// Whether it is proved that there is no solution, by a witness or by all patterns of few contacts.
+pub fn has_none(posed: &Posed) -> bool {
+    let by_patterns = |problem: &ContactProblem| solutions(problem).is_ok_and(|all| all.found.is_empty() && all.continuum.is_none());
+    match posed {
+        Posed::Contacts(problem) => refuted(posed).is_some() || by_patterns(problem),
+        Posed::Jointed(_) => false,
     }
 }

@@ -41,7 +41,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         .ok()
         .filter(|limit| !limit.is_zero())
         .ok_or_else(|| crate::Error::invalid("--time-limit", format!("is {}", arguments.time_limit), "use a positive number of seconds"))?;
-    let limits = Limits { reply, ..Limits::default() };
+    let limits = Limits { reply, start: reply, ..Limits::default() };
     match conformance(&arguments.command, limits) {
         Ok(outcome) => {
             print(&match arguments.format {

@@ -2,8 +2,9 @@
 
 use super::near::suggestion;
 use super::output::print;
-use super::{Answer, Format};
+use super::{Answer, Format, section};
 use crate::files::write_together;
+use crate::report::formats::{BEGIN, END, markdown};
 use crate::report::json::pretty;
 use crate::report::schemas::FORMATS;
 use crate::{Error, Result};
@@ -19,8 +20,12 @@ pub struct Arguments {
     /// Write all schemas into this folder, as NAME.schema.json, all or none.
     #[arg(long, value_name = "FOLDER", conflicts_with = "name")]
     write: Option<PathBuf>,
+    /// Replace the section between `<!-- formats -->` and `<!-- /formats -->` of this file by the tables of the fields of the files that
+    /// people write; docs/formats.md is where they stand.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["name", "write"])]
+    readme: Option<PathBuf>,
     /// How to write the list.
-    #[arg(long, value_enum, default_value_t, conflicts_with_all = ["name", "write"])]
+    #[arg(long, value_enum, default_value_t, conflicts_with_all = ["name", "write", "readme"])]
     format: Format,
 }
 
@@ -28,12 +33,18 @@ const EXAMPLES: &str = "\
 Examples:
   moreau schema                     the formats
   moreau schema trajectory          the schema of trajectory/1
-  moreau schema --write schemas     every schema, as a file";
+  moreau schema --write schemas     every schema, as a file
+  moreau schema --readme docs/formats.md";
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     if let Some(folder) = &arguments.write {
         return write(folder);
+    }
+    if let Some(file) = &arguments.readme {
+        let text = section::replaced(file, [BEGIN, END], &markdown())?;
+        write_together(&[(file.as_path(), text.as_bytes())])?;
+        return Ok(Answer::Yes);
     }
     let Some(name) = &arguments.name else { return list(arguments.format) };
     let format = FORMATS.iter().find(|format| format.name == name).ok_or_else(|| {

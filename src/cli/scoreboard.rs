@@ -4,10 +4,10 @@ use super::output::{print, print_aside};
 use super::{Answer, Format, section};
 use crate::files::write_together;
 use crate::gate::cause::{self, Cause};
-use crate::gate::checks;
 use crate::gate::process::end_engines_on_interrupt;
 use crate::gate::runner::{QUICK, SWEEP};
 use crate::gate::scoreboard::{Engines, Standing};
+use crate::gate::{Check, checks};
 use crate::report::gate::scoreboard;
 use crate::report::json::pretty;
 use crate::{Error, Result};
@@ -31,6 +31,9 @@ pub struct Arguments {
     /// Only engines whose name contains one of these.
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     only: Vec<String>,
+    /// Run only the checks whose name contains one of these; every other check keeps what is stored of it.
+    #[arg(long, value_name = "NAME", value_delimiter = ',', conflicts_with = "stored")]
+    checks: Vec<String>,
     /// The whole sweep of time steps instead of 1/60, 1/240 and 0.001 s.
     #[arg(long)]
     full: bool,
@@ -64,6 +67,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         let names: Vec<&str> = engines.iter().map(|entry| entry.name.as_str()).collect();
         return Err(Error::invalid("--only", "selects no engine", format!("name one of {}", names.join(", "))));
     }
+    let checks = chosen(arguments)?;
     if let Some(file) = &arguments.readme {
         section::replaced(file, MARKERS, "")?; // a file without the markers is refused before the engines run
     }
@@ -78,13 +82,14 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
             standings.push(stored.unwrap_or_else(absent));
             continue;
         }
-        let standing = judge(arguments, &entry);
+        let standing = judge(arguments, &checks, &entry);
         match (&standing.report, stored) {
             (None, Some(stored)) => {
                 print_aside(&format!("{}: not run: {}; the stored result stays\n", entry.name, standing.not_run.as_deref().unwrap_or("")));
                 standings.push(stored);
             }
-            _ => {
+            (_, stored) => {
+                let standing = if arguments.checks.is_empty() { standing } else { standing.beside(stored) };
                 standing.store(&arguments.folder)?;
                 standings.push(standing);
             }
@@ -97,14 +102,23 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     Ok(Answer::Yes)
 }
 
-fn judge(arguments: &Arguments, entry: &crate::gate::scoreboard::Entry) -> Standing {
-    let checks: Vec<_> = checks::all().collect();
+/// The checks to run.
+fn chosen(arguments: &Arguments) -> Result<Vec<&'static Check>> {
+    let named = |check: &&Check| arguments.checks.is_empty() || arguments.checks.iter().any(|part| check.name.contains(part.as_str()));
+    let checks: Vec<_> = checks::all().filter(named).collect();
+    if checks.is_empty() {
+        return Err(Error::invalid("--checks", "selects no check", "`moreau gate --list` shows every check"));
+    }
+    Ok(checks)
+}
+
+fn judge(arguments: &Arguments, checks: &[&'static Check], entry: &crate::gate::scoreboard::Entry) -> Standing {
     let sweep = if arguments.full { SWEEP.to_vec() } else { QUICK.to_vec() };
     let bar = ProgressBar::new((checks.len() * sweep.len()) as u64).with_message(entry.name.clone());
     if let Ok(style) = ProgressStyle::with_template("{msg:24} {bar:40} {elapsed}") {
         bar.set_style(style);
     }
-    let standing = entry.judge(&checks, &sweep, arguments.jobs, &|| bar.inc(1));
+    let standing = entry.judge(checks, &sweep, arguments.jobs, &|| bar.inc(1));
     bar.finish_and_clear();
     standing
 }

@@ -1,12 +1,15 @@
 //! `moreau simulate`: a scene through a scheme, with numbers, a file and a picture.
 
+use super::asked::Asked;
 use super::certificate_options::CertificateOptions;
 use super::dump_options::DumpOptions;
 use super::limits::CommonOptions;
-use super::output::{keep_input, no_answer, print};
+use super::number::seconds;
+use super::output::{keep_input, no_answer, print, require_svg};
+use super::progress;
 use super::scene::{count_steps, find, for_scheme, positive};
 use super::scheme_options::SchemeOptions;
-use super::solver_table::{check_name, with_table};
+use super::solver_table::{self, check_name, with_table};
 use super::{Answer, Format};
 use crate::files::{is_same_file, write_together};
 use crate::report::json::pretty;
@@ -39,17 +42,17 @@ pub struct Arguments {
     /// drake-similar, drake-lagged or drake-tamsi.
     #[arg(long, value_name = "NAME", default_value = "moreau-jean")]
     scheme: String,
-    /// Time step h [s]; of event-driven the time between samples.
-    #[arg(long, value_name = "SECONDS", default_value_t = 0.001, allow_hyphen_values = true)]
+    /// Time step h [s], also as a fraction such as 1/240; of event-driven the time between samples.
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.001, value_parser = seconds, allow_hyphen_values = true)]
     step: f64,
     /// Simulated time [s]; the scene's own if absent.
-    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_hyphen_values = true)]
     duration: Option<f64>,
     #[command(flatten)]
     options: SchemeOptions,
     /// The solver of the contact problems.
-    #[arg(long, value_name = "NAME", default_value = "auto", help = super::solver_table::names(), long_help = super::solver_table::table())]
-    solver: String,
+    #[arg(long, value_name = "NAME", help = default_solver(solver_table::names()), long_help = default_solver(solver_table::table()))]
+    solver: Option<String>,
     #[command(flatten)]
     certificate: CertificateOptions,
     #[command(flatten)]
@@ -81,6 +84,13 @@ Examples:
 
 Exit code 1: the certificate rejects a step, or a step has no answer; --accept-rejected makes the first a warning.";
 
+/// Who solves where nobody is named.
+const DEFAULT_SOLVER: &str = "auto";
+
+fn default_solver(help: String) -> String {
+    format!("{help} [default: {DEFAULT_SOLVER}]")
+}
+
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     match &arguments.scene {
@@ -93,11 +103,13 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
 }
 
 fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
-    arguments.common.memory.apply()?;
+    arguments.common.apply()?;
     let scheme = arguments.options.build(&arguments.scheme)?;
     arguments.keep_files(scene)?;
-    check_name(&arguments.solver)?;
-    let solver = solvers::ALL.by_name(&arguments.solver)?;
+    let chosen = arguments.solver.as_deref().unwrap_or(DEFAULT_SOLVER);
+    check_name(chosen)?;
+    let named = solvers::ALL.by_name(chosen)?;
+    let solver = Asked::new(named.as_ref());
     let (staged, scene, note) = match scenes::linkage(scene) {
         Some(linkage) => (arguments.build_linkage(linkage)?, None, None),
         None => {
@@ -107,18 +119,28 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
     };
     let steps = count_steps(staged.duration, arguments.step)?;
     let mechanism = staged.mechanism.as_ref();
-    let certified = arguments.certificate.certified(solver.as_ref())?;
+    let certified = arguments.certificate.certified(&solver)?;
     let mut dumps = arguments.dumps.start(steps)?;
-    let observe = |step: &Step| dumps.see(step);
-    let recording = schemes::simulate_certified(scheme.as_ref(), &certified, mechanism, staged.start, arguments.step, steps, observe)
-        .map_err(with_table)?;
+    let bar = progress::parts(steps, "steps");
+    let mut touched = false;
+    let observe = |step: &Step| {
+        bar.inc(1);
+        touched |= !step.impulses.is_empty();
+        dumps.see(step)
+    };
+    let simulated = || schemes::simulate_certified(scheme.as_ref(), &certified, mechanism, staged.start, arguments.step, steps, observe);
+    let recording = progress::shown(&bar, simulated).map_err(with_table)?;
+    if arguments.solver.is_some() && touched && !solver.was_asked() {
+        let problem = format!("does nothing in {}, which has an iteration of its own", arguments.scheme);
+        return Err(Error::invalid("--solver", problem, "leave it out, or choose a scheme that poses contact problems"));
+    }
     let exact = staged.exact;
     let motion = MotionReport { mechanism, recording: &recording, exact: exact.as_ref(), gravity: staged.gravity };
-    write(arguments, &motion, scene.as_ref(), solver.name())?;
+    write(arguments, &motion, scene.as_ref(), named.name())?;
     let summary = MotionSummary {
         scene: &staged.name,
         scheme: &recording.scheme,
-        solver: solver.name(),
+        solver: named.name(),
         note,
         closed_form: exact.as_ref().map(ExactMotion::law),
         quantities: motion.summary(),
@@ -156,7 +178,7 @@ impl Arguments {
             (Some(out), Some(plot)) if is_same_file(out, plot) => {
                 Err(Error::invalid("--plot", "is also the file of --out", "give each its own file"))
             }
-            _ => Ok(()),
+            _ => require_svg("--plot", self.plot.as_deref()),
         }
     }
 

@@ -1,18 +1,21 @@
 //! `moreau solve`: solves a contact problem and certifies its own answer.
 
-use super::kind::read_problem;
+use super::kind::{is_lcp, read_problem};
 use super::limits::CommonOptions;
 use super::output::{keep_input, no_answer, print, print_aside};
 use super::problem_law::LawOption;
+use super::remarks::remark;
 use super::residual_names::RESIDUALS;
 use super::solver_options::ToleranceOption;
-use super::{Answer, Format, posed, solver_table};
+use super::{Answer, Format, posed, progress, solver_table};
 use crate::files::write_atomically;
+use crate::problem::{Posed, Solution};
 use crate::report::certificate::Ending;
 use crate::report::json::pretty;
-use crate::solvers::watch::watched;
+use crate::solvers::{least_norm, watch::watched};
+use crate::tolerance::certificate::CERTIFY;
 use crate::{Error, Result};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Solve a contact problem and certify the answer.
 ///
@@ -31,10 +34,15 @@ pub struct Arguments {
     /// Most sweeps, steps or pivots of an iterative solver; its own number if absent.
     #[arg(long, value_name = "NUMBER")]
     iterations: Option<usize>,
-    /// Start from the impulses of this solution/1, in place of zero.
+    /// Start from the impulses of this solution/1, in place of zero; not with solvers that pivot, go through all patterns or begin
+    /// inside the cone.
     #[arg(long, value_name = "FILE")]
     start: Option<PathBuf>,
-    /// Add to the JSON the largest relative residual of every look that the solver took.
+    /// Among the impulses that give the velocity of the answer, choose those of least norm ‖r‖ [N·s]: how legs share a load, how hard
+    /// fingers press. Not for polyhedral laws nor joints.
+    #[arg(long)]
+    least_norm: bool,
+    /// Add to the certificate the largest relative residual of every look that the solver took.
     #[arg(long)]
     history: bool,
     #[command(flatten)]
@@ -68,14 +76,20 @@ The smallest problem, a block of 1 kg that slides and arrives at 1 m/s:
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     arguments.tolerance.check()?;
-    arguments.common.memory.apply()?;
+    arguments.common.apply()?;
     let solver = arguments.tolerance.solver(&arguments.solver, arguments.iterations)?;
     keep_input(&arguments.problem, "--out", arguments.out.as_deref())?;
     let problem = arguments.law.pose(read_problem(&arguments.problem, USAGE)?)?;
     let start = arguments.start.as_deref().map(|file| posed::read_answer(&problem, file).map(|solution| (file, solution))).transpose()?;
+    if start.is_some() && !solver.takes_start() {
+        let problem = format!("does nothing with `{}`, which has a start of its own", solver.name());
+        return Err(Error::invalid("--start", problem, "leave it out, or ask `auto`, which takes one"));
+    }
     posed::require_memory(&problem)?;
+    remark(&arguments.problem, &problem, arguments.common.format);
     let warm = start.as_ref().map(|(_, solution)| &solution.impulse);
-    let (answer, seen) = arguments.tolerance.within_time(|interrupt| watched(interrupt, || posed::solve(&problem, &*solver, warm)));
+    let solved = || arguments.tolerance.within_time(|interrupt| watched(interrupt, || posed::solve(&problem, &*solver, warm)));
+    let (answer, seen) = progress::shown(&progress::word("solving"), solved);
     let place = match (&answer, &start) {
         (Err(Error::Invalid { field, .. }), Some((file, _))) if field.starts_with("warm_start") => file,
         _ => arguments.problem.as_path(),
@@ -93,11 +107,14 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
             return Err(error);
         }
     };
+    let solution = if arguments.least_norm { smallest(&problem, solution, &arguments.problem)? } else { solution };
     let residuals = posed::judge(&problem, &solution)?;
     let exhausted = seen.interrupted || solver.iteration_limit().is_some_and(|most| solution.iterations >= most);
     let ending = Ending { exhausted, reproducible: !seen.interrupted, history: arguments.history.then_some(seen.history) };
     let certificate = posed::certificate(&problem, &solution, residuals, arguments.tolerance.accepted()).with_ending(ending);
-    let certificate = if certificate.accepts() { certificate } else { certificate.with_no_solution(posed::refuted(&problem)) };
+    let certificate = if is_lcp(&arguments.problem, &problem) { certificate.without_units() } else { certificate };
+    let believed = certificate.accepts() && !posed::is_doubtful(&residuals);
+    let certificate = if believed { certificate } else { certificate.with_no_solution(posed::refuted(&problem)) };
     let report = match arguments.common.format {
         Format::Text => certificate.text(),
         Format::Json => pretty(&certificate)?,
@@ -114,4 +131,11 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         }
     }
     Ok(certificate.accepts().into())
+}
+
+/// The answer with the impulses of least norm; a rejected one stays as it is.
+fn smallest(problem: &Posed, solution: Solution, file: &Path) -> Result<Solution> {
+    let contacts = posed::contacts(problem, "--least-norm")?;
+    let rejected = !posed::judge(problem, &solution)?.contacts.judged.accepts(CERTIFY);
+    if rejected { Ok(solution) } else { least_norm(contacts, &solution).map_err(|error| error.in_file(file)) }
 }

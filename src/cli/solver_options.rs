@@ -48,7 +48,10 @@ impl ToleranceOption {
     /// [`Error::Unsupported`] where there is no such solver, or it has no such limit.
     pub fn solver(&self, name: &str, iterations: Option<usize>) -> Result<Box<dyn ContactSolver>> {
         check_name(name)?;
-        let solver = solvers::ALL.with_iterations(name, iterations).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
+        let solver = solvers::ALL.with_iterations(name, iterations).map_err(|error| match error {
+            Error::Invalid { problem, cure, .. } => Error::invalid("--iterations", problem, cure),
+            other => other,
+        })?;
         let exact = self.tolerance.and_then(|tolerance| solver.with_tolerance(ASKED_SHARE * tolerance));
         Ok(exact.unwrap_or(solver))
     }

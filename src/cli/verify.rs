@@ -26,7 +26,7 @@ pub struct Arguments {
     #[command(flatten)]
     filters: Filters,
     /// Explain one claim: proof or counterexample, findings, corrected statement, controls, sources.
-    #[arg(long, value_name = "ID", conflicts_with_all = ["filter", "section", "verdict", "severity", "kind"])]
+    #[arg(long, value_name = "ID", conflicts_with_all = ["filter", "section", "search", "verdict", "severity", "kind"])]
     explain: Option<String>,
     /// List the claims without running them.
     #[arg(long, conflicts_with = "explain")]
@@ -45,6 +45,7 @@ Examples:
   moreau verify --filter S4               only the claims of section 4
   moreau verify --explain S4.copos-plus   one claim in full
   moreau verify --list                    the claims, without running them
+  moreau verify --list --search zeno      those that speak of Zeno
   moreau verify --list --verdict false --severity theorem --section 4
   moreau verify --format json             an array of {id, section, statement, verdict, kind, severity,
                                           evidence, correct_statement, places, findings,

@@ -142,7 +142,7 @@ mod tests {
 
     #[test]
     fn the_judgement_of_claims_passes_its_check_and_every_wrong_one_does_not() {
-        assert_eq!(JUDGES.failing(&JUDGES.reference).expect("judged"), Vec::<String>::new());
+        assert_eq!(JUDGES.failing(&JUDGES.reference).expect("judged"), Vec::new());
         for trial in JUDGES.trials() {
             assert!(!(trial.caught_by)().expect("judged").is_empty(), "{} is not caught", trial.name);
         }

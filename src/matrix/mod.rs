@@ -7,12 +7,14 @@
 //! A mistake that is met in several subjects is one row: a scheme is asked by the gate, by its energy balance and by the agreements of its
 //! system. The controls of the claims are planted subjects too, each under its own claim; they are counted apart.
 
+mod alone;
 mod controls;
 mod judges;
 mod repeats;
 mod row;
 mod sources;
 
+pub use alone::{Alone, STANDS, alone};
 pub use controls::{Control, controls};
 pub use judges::JUDGES;
 pub use repeats::REPEATS;
@@ -30,6 +32,8 @@ pub struct Matrix {
     pub defects: Vec<Row>,
     /// The controls of the claims.
     pub controls: Vec<Control>,
+    /// What each check of the gate catches that no other one does.
+    pub alone: Vec<Alone>,
     /// Checks and claims that catch nothing, with the reason where there is one.
     pub checks_that_catch_nothing: Vec<String>,
 }
@@ -46,7 +50,8 @@ impl Matrix {
         let caught = |check: &String| defects.iter().any(|row| row.caught_by.contains(check));
         let mut idle: Vec<String> = sources.iter().flat_map(|source| &source.checks).filter(|check| !caught(check)).cloned().collect();
         idle.extend(controls.iter().filter(|control| !control.caught).map(|control| format!("{}: {}", control.claim, control.why)));
-        Ok(Matrix { defects, controls, checks_that_catch_nothing: idle })
+        let alone = alone(checks.iter().map(|check| check.name), &defects);
+        Ok(Matrix { defects, controls, alone, checks_that_catch_nothing: idle })
     }
 
     /// How often `progress` is called.
@@ -54,9 +59,11 @@ impl Matrix {
         sources(checks).iter().map(|source| source.trials.len()).sum::<usize>() + crate::claims::all().count()
     }
 
-    /// Whether every mistake is caught and every check catches one.
+    /// Whether every mistake is caught, every check catches one, and every check of the gate catches one alone or says why it stands.
     pub fn is_complete(&self) -> bool {
-        self.checks_that_catch_nothing.is_empty() && self.defects.iter().all(|row| !row.caught_by.is_empty())
+        self.checks_that_catch_nothing.is_empty()
+            && self.alone.iter().all(Alone::is_justified)
+            && self.defects.iter().all(|row| !row.caught_by.is_empty())
     }
 
     /// Rows whose line of reasoning no other row has.

@@ -3,12 +3,13 @@
 use super::repeats::original;
 use super::sources::Source;
 use crate::Result;
-use crate::checks::planted::{Kind, Trial};
+use crate::checks::planted::{Catch, Kind, Trial};
 use rayon::prelude::*;
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// A planted mistake and the checks that catch it.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Row {
     /// `family/mistake`.
     pub name: &'static str,
@@ -21,6 +22,27 @@ pub struct Row {
     pub repeats: Option<&'static str>,
     /// The checks that catch it, in the order in which they were asked.
     pub caught_by: Vec<String>,
+    /// The time steps \[s\] at which checks of the gate catch it, by check.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub time_steps: BTreeMap<String, Vec<f64>>,
+}
+
+impl Row {
+    fn new(trial: &Trial) -> Self {
+        let repeats = original(trial.name);
+        Row { name: trial.name, mistake: trial.mistake, kind: trial.kind, repeats, caught_by: Vec::new(), time_steps: BTreeMap::new() }
+    }
+
+    fn add(&mut self, catches: Vec<Catch>) {
+        for Catch { check, time_steps } in catches {
+            if !time_steps.is_empty() {
+                self.time_steps.insert(check.clone(), time_steps);
+            }
+            if !self.caught_by.contains(&check) {
+                self.caught_by.push(check);
+            }
+        }
+    }
 }
 
 /// The rows of all sources, in parallel: mistakes of one name are one row.
@@ -34,14 +56,12 @@ pub fn rows(sources: &[Source], progress: &(dyn Fn() + Sync)) -> Result<Vec<Row>
     let mut caught = judged.inspect(|_| progress()).collect::<Result<Vec<_>>>()?;
     caught.sort_by_key(|(place, _)| *place);
     let mut rows: Vec<Row> = Vec::new();
-    for (trial, (_, caught_by)) in trials.into_iter().zip(caught) {
-        match rows.iter_mut().find(|row| row.name == trial.name) {
-            Some(row) => {
-                let new: Vec<String> = caught_by.into_iter().filter(|check| !row.caught_by.contains(check)).collect();
-                row.caught_by.extend(new);
-            }
-            None => rows.push(Row { name: trial.name, mistake: trial.mistake, kind: trial.kind, repeats: original(trial.name), caught_by }),
-        }
+    for (trial, (_, catches)) in trials.into_iter().zip(caught) {
+        let place = rows.iter().position(|row| row.name == trial.name).unwrap_or_else(|| {
+            rows.push(Row::new(trial));
+            rows.len() - 1
+        });
+        rows[place].add(catches);
     }
     rows.sort_by_key(|row| row.kind);
     Ok(rows)

@@ -2,7 +2,7 @@
 
 use super::judges::JUDGES;
 use crate::checks::forms;
-use crate::checks::planted::{Family, Trial};
+use crate::checks::planted::{Catch, Family, Trial};
 use crate::defects::{self, beside};
 use crate::gate::planted::{self, Faulty, Planted};
 use crate::gate::{Check, planted::judge};
@@ -59,7 +59,8 @@ fn engines(checks: &[&'static Check]) -> Source {
         let checks = checks.to_vec();
         planted.trial(move |_| {
             let report = judge(planted, &checks)?;
-            Ok(report.checks.into_iter().filter(|check| check.verdict.is_bad()).map(|check| check.check).collect())
+            let bad = report.checks.into_iter().filter(|outcome| outcome.verdict.is_bad());
+            Ok(bad.map(|outcome| Catch { check: outcome.check, time_steps: outcome.fails_at }).collect())
         })
     };
     Source { checks: checks.iter().map(|check| check.name.into()).collect(), trials: planted::all().map(trial).collect() }
@@ -73,7 +74,7 @@ fn agreements() -> Source {
             let check = agreement.check(system);
             source.trials.extend(agreement.planted.iter().map(|planted| {
                 let check = check.clone();
-                planted.trial(move |measure| Ok(Vec::from_iter((!measure(&RUNS)?.holds()).then(|| check.clone()))))
+                planted.trial(move |measure| Ok(Vec::from_iter((!measure(&RUNS)?.holds()).then(|| Catch::from(check.as_str())))))
             }));
             source.checks.push(check);
         }

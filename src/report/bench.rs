@@ -50,6 +50,8 @@ pub struct Run {
     pub natural_map_one: Option<f64>,
     /// Whether the certificate accepts the answer.
     pub solved: bool,
+    /// Whether it is proved that the problem has no solution, which is asked where no solver of the run found one.
+    pub without_solution: bool,
     /// The file of the answer in the folder of answers.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub answer: Option<String>,
@@ -65,8 +67,10 @@ pub struct Summary {
     pub solver: String,
     /// How many problems it solved.
     pub solved: usize,
-    /// Of how many.
+    /// Of how many: problems that are proved to have no solution do not count.
     pub problems: usize,
+    /// How many were proved to have no solution.
+    pub without_solution: usize,
     /// The shifted geometric mean over those it solved \[s\]; absent if none.
     pub mean_seconds: Option<f64>,
     /// The part of the problems solved within τ times the best time, τ as in `factors`.
@@ -88,9 +92,10 @@ impl Bench {
         Bench { tolerance, runs, solvers }
     }
 
-    /// Whether every problem was solved by some solver.
+    /// Whether every problem was solved by some solver, or has no solution.
     pub fn all_solved(&self) -> bool {
-        self.runs.iter().all(|run| self.runs.iter().any(|other| other.problem == run.problem && other.solved))
+        let is_answered = |run: &Run| run.solved || run.without_solution;
+        self.runs.iter().all(|run| self.runs.iter().any(|other| other.problem == run.problem && is_answered(other)))
     }
 
     /// For reading.
@@ -109,7 +114,7 @@ impl Bench {
                     format!(
                         "{residual:>10} {map:>10} {:>10}{}",
                         run.iterations,
-                        match (run.solved, run.reproducible) {
+                        match (run.solved || run.without_solution, run.reproducible) {
                             (_, false) => "  ended by the time limit",
                             (true, true) => "",
                             (false, true) => "  not solved",
@@ -117,6 +122,7 @@ impl Bench {
                     )
                 }
             };
+            let end = if run.without_solution { format!("{end}  no solution, as is proved") } else { end };
             let (problem, contacts, solver) = (&run.problem, run.contacts, &run.solver);
             let _ = writeln!(text, "{problem:width$} {contacts:>8} {solver:18} {:>11} {end}", time(run.seconds));
         }
@@ -124,24 +130,30 @@ impl Bench {
             let mean = one.mean_seconds.map_or("no answer".into(), |mean| format!("shifted geometric mean {}", time(mean)));
             let within: Vec<String> =
                 one.factors.iter().zip(&one.profile).map(|(factor, part)| format!("{:.0} % within {factor}", 100.0 * part)).collect();
-            let _ =
-                writeln!(text, "{}: {} of {} solved, {mean}; of the best time {}", one.solver, one.solved, one.problems, within.join(", "));
+            let none = match one.without_solution {
+                0 => String::new(),
+                count => format!(", {count} without solution"),
+            };
+            let (solver, solved, problems) = (&one.solver, one.solved, one.problems);
+            let _ = writeln!(text, "{solver}: {solved} of {problems} solved{none}, {mean}; of the best time {}", within.join(", "));
         }
         text
     }
 }
 
 fn summary(name: &str, runs: &[Run]) -> Summary {
-    let own: Vec<&Run> = runs.iter().filter(|run| run.solver == name).collect();
+    let (none, own): (Vec<&Run>, Vec<&Run>) = runs.iter().filter(|run| run.solver == name).partition(|run| run.without_solution);
     let best =
         |problem: &str| runs.iter().filter(|run| run.problem == problem && run.solved).map(|run| run.seconds).fold(f64::INFINITY, f64::min);
     let solved: Vec<&&Run> = own.iter().filter(|run| run.solved).collect();
     let logarithms: f64 = solved.iter().map(|run| (run.seconds + SHIFT).ln()).sum();
-    let within = |factor: f64| solved.iter().filter(|run| run.seconds <= factor * best(&run.problem)).count() as f64 / own.len() as f64;
+    let within =
+        |factor: f64| solved.iter().filter(|run| run.seconds <= factor * best(&run.problem)).count() as f64 / own.len().max(1) as f64;
     Summary {
         solver: name.into(),
         solved: solved.len(),
         problems: own.len(),
+        without_solution: none.len(),
         mean_seconds: (!solved.is_empty()).then(|| (logarithms / solved.len() as f64).exp() - SHIFT),
         profile: FACTORS.iter().map(|factor| within(*factor)).collect(),
         factors: FACTORS.to_vec(),
@@ -174,6 +186,7 @@ mod tests {
             relative: Some(0.0),
             natural_map_one: None,
             solved,
+            without_solution: false,
             answer: None,
             failure: None,
         }
@@ -190,6 +203,17 @@ mod tests {
         assert_eq!((x.profile[0], x.profile[6]), (0.5, 0.5));
         assert_eq!((y.profile[0], y.profile[1]), (0.5, 1.0), "the best on b, one and a half times the best on a");
         assert!(bench.all_solved());
+    }
+
+    #[test]
+    fn a_problem_without_solution_is_answered_by_no_solution_and_counts_for_nobody() {
+        let none = Run { without_solution: true, ..run("b", "x", 1.0, false) };
+        let bench = Bench::new(1e-8, vec![run("a", "x", 2e-6, true), none]);
+        assert!(bench.all_solved());
+        assert_eq!((bench.solvers[0].solved, bench.solvers[0].problems, bench.solvers[0].profile[0]), (1, 1, 1.0));
+        let text = bench.text();
+        assert!(text.contains("no solution, as is proved") && !text.contains("not solved"), "{text}");
+        assert!(text.contains("1 of 1 solved, 1 without solution"), "{text}");
     }
 
     #[test]

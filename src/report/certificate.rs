@@ -2,8 +2,10 @@
 
 use super::bound::above;
 use super::lcp_proof::LcpProved;
+use super::text::{counted, quoted};
 use crate::certificate::backward::{Backward, HeldAs};
 use crate::certificate::forward::{ContactState, Forward, Radius};
+use crate::certificate::impulse_set::ImpulseSet;
 use crate::certificate::joints::JointedResiduals;
 use crate::certificate::{Residuals, Worst};
 use crate::number::{significant, with_unit};
@@ -53,7 +55,7 @@ pub struct Certificate<'a> {
     /// What is proved of all solutions, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     solutions: Option<Proofs>,
-    /// Why the problem has no solution, where an answer is rejected and that is proved.
+    /// Why the problem has no solution, where that is proved; it rejects the answer whatever its residuals are.
     #[serde(skip_serializing_if = "Option::is_none")]
     no_solution: Option<String>,
     /// Whether the same command finds this answer again; absent where nobody knows how it was made.
@@ -62,6 +64,9 @@ pub struct Certificate<'a> {
     /// The largest relative residual of a contact, look by look of the solver.
     #[serde(skip_serializing_if = "Option::is_none")]
     history: Option<Vec<f64>>,
+    /// Whether the text shows numbers without units, those of an LCP.
+    #[serde(skip)]
+    without_units: bool,
 }
 
 /// How many joints a problem has.
@@ -92,6 +97,19 @@ struct Near {
     /// How far it is at most.
     #[serde(skip_serializing_if = "Option::is_none")]
     radius: Option<Bounds>,
+    /// How many dimensions the impulses have that give its velocity.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    impulse_set: Option<Dimension>,
+}
+
+/// Bounds of a dimension.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "DimensionOfImpulses")]
+struct Dimension {
+    /// So many or more.
+    at_least: usize,
+    /// So many or fewer.
+    at_most: usize,
 }
 
 /// How far a solution is at most.
@@ -183,7 +201,18 @@ impl<'a> Certificate<'a> {
             no_solution: None,
             reproducible: None,
             history: None,
+            without_units: false,
         }
+    }
+
+    /// The same of a linear complementarity problem, whose numbers have no units.
+    pub fn without_units(self) -> Self {
+        Certificate { without_units: true, ..self }
+    }
+
+    /// The unit that is shown; 1 is none.
+    fn unit<'u>(&self, unit: &'u str) -> &'u str {
+        if self.without_units { "1" } else { unit }
     }
 
     /// The same with what was proved about all solutions.
@@ -193,12 +222,16 @@ impl<'a> Certificate<'a> {
     }
 
     /// The same with what was proved about a solution near.
-    pub fn with_solution_near(self, found: &Forward) -> Self {
+    pub fn with_solution_near(self, found: &Forward, impulses: Option<ImpulseSet>) -> Self {
+        let impulse_set = impulses.map(|ImpulseSet { at_least, at_most }| Dimension { at_least, at_most });
         let near = match found {
             Forward::Proved(radius) => {
-                Near { proved: true, reason: None, contact: radius.worst().map(|(contact, _)| contact), radius: Some(Bounds::new(radius)) }
+                let contact = radius.worst().map(|(contact, _)| contact);
+                Near { proved: true, reason: None, contact, radius: Some(Bounds::new(radius)), impulse_set }
             }
-            Forward::NotProved(reason) => Near { proved: false, reason: Some(reason.text.clone()), contact: reason.contact, radius: None },
+            Forward::NotProved(reason) => {
+                Near { proved: false, reason: Some(reason.text.clone()), contact: reason.contact, radius: None, impulse_set: None }
+            }
         };
         Certificate { forward: Some(near), ..self }
     }
@@ -233,8 +266,8 @@ impl<'a> Certificate<'a> {
 
     /// The same with a proof that the problem has no solution.
     pub fn with_no_solution(self, no_solution: Option<String>) -> Self {
-        let status = if no_solution.is_some() { "infeasible" } else { self.status };
-        Certificate { status, no_solution, ..self }
+        let denied = no_solution.is_some();
+        Certificate { no_solution, ..self }.denied(denied)
     }
 
     /// The same with what is proved of the linear complementarity problem that it is.
@@ -248,6 +281,11 @@ impl<'a> Certificate<'a> {
         if denied { Certificate { status: "infeasible", solution: false, ..self } } else { self }
     }
 
+    /// Whether a solution of the problem itself is proved to be near.
+    pub fn is_near_a_solution(&self) -> bool {
+        self.forward.as_ref().is_some_and(|near| near.radius.is_some())
+    }
+
     /// Whether the answer is a solution.
     pub fn accepts(&self) -> bool {
         self.solution
@@ -257,24 +295,30 @@ impl<'a> Certificate<'a> {
     pub fn text(&self) -> String {
         let solver = if self.solver.is_empty() { "not named" } else { self.solver };
         let joints = self.joints.as_ref().map_or(String::new(), JointCounts::text);
-        let mut text = format!("problem `{}`, law {}, contacts: {}{joints}\n", self.problem, self.law, self.contacts);
+        let name = quoted(self.problem);
+        let mut text = if self.without_units {
+            format!("linear complementarity problem {name}, rows: {}; the impulse is z, the velocity M z + q\n", self.contacts)
+        } else {
+            format!("problem {name}, law {}, contacts: {}{joints}\n", self.law, self.contacts)
+        };
         let mut line = |content: String| writeln!(text, "{content}").expect("writing to a String cannot fail");
         line(format!("solver {solver}, iterations: {}", self.iterations));
         let bilateral = self.residuals.bilateral.map(|worst| ("bilateral", worst, "m/s"));
         // contacts are counted among all constraints where there are joints
         let place = if self.joints.is_some() { "constraint" } else { "contact" };
         for (name, Worst { part, contact, .. }, unit) in self.residuals.contacts.judged.entries().into_iter().chain(bilateral) {
+            let unit = self.unit(unit);
             let [relative, limit] = [part.relative(), part.limit(self.tolerance)].map(significant);
             let value = with_unit(&significant(part.value), unit);
             line(format!("  {name:18} {value:16} relative {relative:10} limit {:16} {place} {contact}", with_unit(&limit, unit)));
         }
         line("norms over all contacts, shown for comparison only:".into());
         for (name, value, unit) in self.residuals.contacts.norms() {
-            line(format!("  {name:18} {}", with_unit(&significant(value), unit)));
+            line(format!("  {name:18} {}", with_unit(&significant(value), self.unit(unit))));
         }
         if let Some(proof) = &self.backward {
             let [velocity, impulse] =
-                [(proof.velocity, "m/s"), (proof.impulse, "N·s")].map(|(number, unit)| with_unit(&above(number), unit));
+                [(proof.velocity, "m/s"), (proof.impulse, "N·s")].map(|(number, unit)| with_unit(&above(number), self.unit(unit)));
             let place = proof.contact.map_or(String::new(), |contact| format!(" (contact {contact})"));
             line(format!(
                 "proved in fractions: impulses that differ by at most {impulse} at a contact solve exactly the problem whose free"
@@ -285,13 +329,19 @@ impl<'a> Certificate<'a> {
             line(format!("no backward error is proved: {}", reason.trim_start_matches("not proved: ")));
         }
         if let Some(near) = &self.forward {
-            near.lines().into_iter().for_each(&mut line);
+            near.lines(["m/s", "N·s"].map(|unit| self.unit(unit))).into_iter().for_each(&mut line);
         }
-        for said in self.lcp.iter().flat_map(LcpProved::lines) {
+        for said in self.lcp.iter().flat_map(|lcp| lcp.lines(["N·s", "m/s"].map(|unit| self.unit(unit)))) {
             line(said);
         }
         if let Some(proofs) = &self.solutions {
             proofs.lines().into_iter().for_each(&mut line);
+        }
+        if let Some(history) = &self.history {
+            line(format!("largest relative residual of {}, look by look of the solver:", counted(history.len(), "look")));
+            for looks in history.chunks(PER_LINE) {
+                line(format!("  {}", looks.iter().map(|residual| format!("{residual:.1e}")).collect::<Vec<_>>().join(" ")));
+            }
         }
         if self.reproducible == Some(false) {
             line("ended by the time limit: another run need not find this answer again".into());
@@ -304,6 +354,9 @@ impl<'a> Certificate<'a> {
         text
     }
 }
+
+/// So many looks of a solver stand in a line.
+const PER_LINE: usize = 12;
 
 impl Bounds {
     fn new(radius: &Radius) -> Self {
@@ -326,20 +379,31 @@ impl Bounds {
 }
 
 impl Near {
-    fn lines(&self) -> Vec<String> {
+    fn lines(&self, [speed, push]: [&str; 2]) -> Vec<String> {
         let Some(bounds) = &self.radius else {
             let reason = self.reason.as_deref().unwrap_or_default();
             return vec![format!("not proved that the problem itself has a solution near: {reason}")];
         };
-        let [velocity, impulse] = [(bounds.velocity, "m/s"), (bounds.impulse, "N·s")].map(|(number, unit)| with_unit(&above(number), unit));
+        let [velocity, impulse] = [(bounds.velocity, speed), (bounds.impulse, push)].map(|(number, unit)| with_unit(&above(number), unit));
         let place = self.contact.map_or(String::new(), |contact| format!(" (contact {contact})"));
         let mut lines = vec![format!(
             "proved by intervals: the problem has a solution whose velocity differs by at most {velocity} at a contact{place},"
         )];
         lines.push(format!("  and its impulse by at most {impulse}"));
         if !bounds.dependent_rows.is_empty() {
-            lines.push(format!("  {} rows depend exactly on others: other impulses give the same velocities", bounds.dependent_rows.len()));
+            let rows = match bounds.dependent_rows.len() {
+                1 => "1 row depends".into(),
+                many => format!("{many} rows depend"),
+            };
+            lines.push(format!("  {rows} exactly on others: other impulses give the same velocities"));
         }
+        lines.extend(self.impulse_set.as_ref().map(|set| match (set.at_least, set.at_most) {
+            (_, 0) => "  no other impulses give this velocity".into(),
+            (one, other) if one == other => {
+                format!("  the impulses that give this velocity are a set of exactly {}", counted(one, "dimension"))
+            }
+            (one, other) => format!("  the impulses that give this velocity are a set of {one} to {other} dimensions"),
+        }));
         lines
     }
 }
@@ -368,6 +432,24 @@ mod tests {
         let (text, accepted) = certificate(1.0);
         assert!(accepted && text.ends_with("\na solution to the relative tolerance 0.25\n"), "{text}");
         assert!(text.contains("primal             0 N·s") && text.contains("complementarity    0 J"), "{text}");
+    }
+
+    #[test]
+    fn one_row_depends_and_two_rows_depend_on_others() {
+        let near = |dependent: usize, dimensions: usize| {
+            let radius = Bounds {
+                velocity: 0.0,
+                impulse: 0.0,
+                states: vec![],
+                velocities: vec![],
+                impulses: vec![],
+                dependent_rows: vec![0; dependent],
+            };
+            let impulse_set = Some(Dimension { at_least: dimensions, at_most: dimensions });
+            Near { proved: true, reason: None, contact: None, radius: Some(radius), impulse_set }.lines(["m/s", "N·s"]).join("\n")
+        };
+        assert!(near(1, 1).contains("1 row depends exactly") && near(1, 1).ends_with("exactly 1 dimension"), "{}", near(1, 1));
+        assert!(near(2, 2).contains("2 rows depend exactly") && near(2, 2).ends_with("exactly 2 dimensions"), "{}", near(2, 2));
     }
 
     #[test]

@@ -1,7 +1,9 @@
 //! What is proved of a linear complementarity problem, for readers and in JSON.
 
 use super::bound::above;
+use super::text::quoted;
 use crate::certificate::lcp_proof::{Answer, Count};
+use crate::number::with_unit;
 use crate::problem::Lcp;
 use crate::scalar::{Rational, Scalar};
 use nalgebra::DVector;
@@ -120,8 +122,8 @@ impl LcpProved {
         self.solutions == "none"
     }
 
-    /// The same for readers.
-    pub fn lines(&self) -> Vec<String> {
+    /// The same for readers, with the units of z and w; 1 is none.
+    pub fn lines(&self, [push, speed]: [&str; 2]) -> Vec<String> {
         let mut lines = Vec::new();
         if let Some(near) = &self.near {
             let [z, w] = [near.distance, near.slack_distance].map(above);
@@ -129,8 +131,10 @@ impl LcpProved {
                 if near.degenerate.is_empty() { String::new() } else { format!(", rows with z = w = 0: {:?}", near.degenerate) };
             lines.push(match self.unknowns {
                 "r" => format!(
-                    "proved in {}: a solution z with |z − r| ≤ {z} N·s and |w − u| ≤ {w} m/s in every row{degenerate}",
-                    near.arithmetic
+                    "proved in {}: a solution z with |z − r| ≤ {} and |w − u| ≤ {} in every row{degenerate}",
+                    near.arithmetic,
+                    with_unit(&z, push),
+                    with_unit(&w, speed)
                 ),
                 unknowns => format!(
                     "proved in {}: a solution ({unknowns}) of the law's complementarity problem differs by at most {z}, and what it is \
@@ -193,8 +197,8 @@ impl<'a> Counted<'a> {
 
     /// The same for readers.
     pub fn text(&self) -> String {
-        let mut text = format!("linear complementarity problem `{}`, rows: {}\n", self.problem, self.rows);
-        self.lcp.lines().iter().for_each(|line| writeln!(text, "{line}").expect("writing to a String cannot fail"));
+        let mut text = format!("linear complementarity problem {}, rows: {}\n", quoted(self.problem), self.rows);
+        self.lcp.lines(["1"; 2]).iter().for_each(|line| writeln!(text, "{line}").expect("writing to a String cannot fail"));
         text
     }
 }

@@ -1,7 +1,8 @@
 //! The matrix of planted mistakes as text: the mistakes by kind, what each check catches, and the counts.
 
 use crate::checks::planted::KINDS;
-use crate::matrix::{Matrix, Row};
+use crate::matrix::{Alone, Matrix, Row};
+use moreau_exact::number::significant;
 use std::collections::BTreeMap;
 
 /// The whole matrix.
@@ -11,13 +12,25 @@ pub fn text(matrix: &Matrix) -> String {
         let shown: String = rows.iter().map(|row| mistake(row)).collect();
         format!("{}: {}\n\n{shown}\n", kind.plural(), counted(&rows))
     });
-    format!("{}{}{}", kinds.concat(), catches(matrix), summary(matrix))
+    format!("{}{}{}{}", kinds.concat(), catches(matrix), alone(matrix), summary(matrix))
 }
 
 fn mistake(row: &Row) -> String {
-    let caught = if row.caught_by.is_empty() { "NOBODY".into() } else { row.caught_by.join("; ") };
+    let caught = if row.caught_by.is_empty() {
+        "NOBODY".into()
+    } else {
+        row.caught_by.iter().map(|check| at(row, check)).collect::<Vec<_>>().join("; ")
+    };
     let repeats = row.repeats.map_or(String::new(), |original| format!("    repeats {original}\n"));
     format!("  {}\n    {}\n{repeats}    caught by {caught}\n", row.name, row.mistake)
+}
+
+/// A check with the time steps at which it catches this mistake.
+fn at(row: &Row, check: &str) -> String {
+    match row.time_steps.get(check) {
+        Some(steps) => format!("{check} at {} s", steps.iter().map(|h| significant(*h)).collect::<Vec<_>>().join(", ")),
+        None => check.into(),
+    }
 }
 
 fn counted(rows: &[&Row]) -> String {
@@ -36,6 +49,20 @@ fn catches(matrix: &Matrix) -> String {
     counts.sort_by_key(|(name, count)| (std::cmp::Reverse(*count), *name));
     let lines: String = counts.iter().map(|(name, count)| format!("{count:>5}  {name}\n")).collect();
     format!("mistakes that each of {} checks catches\n\n{lines}\n", counts.len())
+}
+
+/// What each check of the gate catches alone.
+fn alone(matrix: &Matrix) -> String {
+    let line = |alone: &Alone| {
+        let told = match (alone.catches.as_slice(), alone.stands) {
+            ([], Some(why)) => format!("stands because {why}"),
+            ([], None) => "NOTHING, and no reason is given why it stands".into(),
+            (catches, None) => catches.join(", "),
+            (catches, Some(_)) => format!("{}, BUT A REASON IS GIVEN WHY IT STANDS WITHOUT", catches.join(", ")),
+        };
+        format!("  {}: {told}\n", alone.check)
+    };
+    format!("what each check of the gate catches that no other one does\n\n{}\n", matrix.alone.iter().map(line).collect::<String>())
 }
 
 fn summary(matrix: &Matrix) -> String {

@@ -6,6 +6,7 @@ pub mod certificate;
 pub mod comparison;
 pub mod explanation;
 mod findings;
+pub mod formats;
 pub mod json;
 pub mod lcp_proof;
 pub mod matrix;

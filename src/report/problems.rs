@@ -2,6 +2,7 @@
 
 use crate::number::significant;
 use crate::problems::{Answered, Bound, Known, Record};
+use crate::solvers::{ALL, Solvers};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write;
@@ -187,7 +188,20 @@ pub fn show(record: &Record) -> String {
             (Some(reason), _) => reason.clone(),
             (None, relative) => format!("residual {}, iterations {}", size(relative), outcome.iterations.unwrap_or(0)),
         };
-        line(format!("{:18} {:9} {end}", outcome.solver, outcome.ended.name()));
+        line(format!("{:19} {:9} {end}", outcome.solver, outcome.ended.name()));
+    }
+    text + &left_out(record.solvers.iter().map(|outcome| outcome.solver.as_str()))
+}
+
+/// The solvers that a list of outcomes leaves out, and why.
+pub fn left_out<'a>(asked: impl Iterator<Item = &'a str>) -> String {
+    let asked: Vec<&str> = asked.collect();
+    let own: Vec<&str> = Solvers::own().names().collect();
+    let (newer, engines): (Vec<&str>, Vec<&str>) = ALL.names().filter(|name| !asked.contains(name)).partition(|name| own.contains(name));
+    let reasons = [(newer, "newer than this record"), (engines, "the engines' own iterations; `moreau solve --solver NAME` asks them")];
+    let mut text = String::new();
+    for (names, why) in reasons.iter().filter(|(names, _)| !names.is_empty()) {
+        let _ = writeln!(text, "not asked: {} ({why})", names.join(", "));
     }
     text
 }

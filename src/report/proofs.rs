@@ -4,6 +4,7 @@ use crate::Result;
 use crate::certificate::infeasible::{Infeasible, infeasible};
 use crate::certificate::patterns::{Solutions, solutions};
 use crate::certificate::several::{Distinct, distinct};
+use crate::certificate::spatial::{Velocities, velocities};
 use crate::certificate::uniqueness::{Uniqueness, uniqueness};
 use crate::number::significant;
 use crate::problem::{ContactProblem, Solution};
@@ -19,23 +20,29 @@ pub struct Proofs {
     unique: &'static str,
     /// Why it is, or why it is not known.
     reason: String,
-    /// All solutions, where all patterns were tried.
+    /// All solutions, where all patterns were tried and decided.
     #[serde(skip_serializing_if = "Option::is_none")]
     all: Option<All>,
     /// Solutions with different velocities, where not all are known.
     #[serde(skip_serializing_if = "Option::is_none")]
     several: Option<Several>,
+    /// Where further velocities may be, although all directions of slip in space were tried.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    undecided: Vec<String>,
     /// A witness that there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     infeasible: Option<Refuted>,
 }
 
-/// All solutions of a problem in the plane.
+/// All solutions of a problem in the plane, or of few contacts in space.
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "AllSolutions")]
 struct All {
     /// How many patterns of open, sticking and sliding contacts were tried: all there are.
     patterns: usize,
+    /// Into how many pieces they were cut by directions of slip, in space.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pieces: Option<usize>,
     /// How many velocities; at the vertices, if they are a continuum.
     velocities: usize,
     /// Whether they are a continuum.
@@ -62,25 +69,35 @@ struct Refuted {
     witness: Vec<String>,
     /// p·(u_free + shift), a negative fraction.
     product: String,
+    /// Of which W, in words, where mass and Jacobian are given and W is rounded.
+    #[serde(skip_serializing_if = "str::is_empty")]
+    of_which: &'static str,
 }
 
 impl Proofs {
-    /// Proves what can be proved; a witness against any solution is searched only where the answer at hand is none, and other solutions
+    /// Proves what can be proved; a witness against any solution is searched only where none is proved to exist, and other solutions
     /// among these answers only where neither uniqueness nor all solutions are known.
     ///
     /// # Errors
     /// As [`distinct`].
-    pub fn new(problem: &ContactProblem, accepted: bool, answers: impl FnOnce() -> Vec<Solution>) -> Result<Self> {
+    pub fn new(problem: &ContactProblem, exists: bool, answers: impl FnOnce() -> Vec<Solution>) -> Result<Self> {
         let (unique, reason) = match uniqueness(problem) {
             Uniqueness::Solution(reason) => ("solution", reason.into()),
             Uniqueness::Velocity(reason) => ("velocity", reason.into()),
             Uniqueness::Unknown(reason) => ("unknown", reason),
         };
-        let infeasible = if accepted { None } else { infeasible(problem).map(Refuted::from) };
-        let all = solutions(problem).ok().map(All::from);
+        let infeasible = if exists { None } else { infeasible(problem).map(|found| Refuted::new(problem, found)) };
+        let (all, met, undecided) = match (solutions(problem), velocities(problem)) {
+            (Ok(all), _) => (Some(All::from(all)), Vec::new(), Vec::new()),
+            (_, Ok(all)) if all.exactly().is_some() => (Some(All::from(all)), Vec::new(), Vec::new()),
+            (_, Ok(all)) => (None, all.found, all.undecided),
+            _ => (None, Vec::new(), Vec::new()),
+        };
         let is_open = unique == "unknown" && all.is_none() && infeasible.is_none() && problem.law().directions().is_none();
+        let answers = || met.into_iter().map(|(answer, _)| answer).chain(answers()).collect::<Vec<_>>();
         let several = if is_open { Several::among(problem, &answers())? } else { None };
-        Ok(Proofs { unique, reason, all, several, infeasible })
+        let undecided = if is_open { undecided.into_iter().map(|reason| reason.text).collect() } else { Vec::new() };
+        Ok(Proofs { unique, reason, all, several, undecided, infeasible })
     }
 
     /// Whether it is proved that there is no solution.
@@ -102,7 +119,10 @@ impl Proofs {
                 (1, false) => "the solutions have exactly 1 velocity".into(),
                 (count, false) => format!("the solutions have exactly {count} velocities"),
             };
-            lines.push(format!("proved in fractions: all {} patterns tried, {count}", all.patterns));
+            lines.push(match all.pieces {
+                None => format!("proved in fractions: all {} patterns tried, {count}", all.patterns),
+                Some(pieces) => format!("proved by intervals: all {} patterns tried in {pieces} pieces, {count}", all.patterns),
+            });
         }
         if let Some(several) = &self.several {
             lines.push(format!(
@@ -110,10 +130,13 @@ impl Proofs {
                 several.at_least
             ));
         }
+        if let Some(first) = self.undecided.first() {
+            lines.push(format!("not proved that these are all velocities: {first} ({} patterns)", self.undecided.len()));
+        }
         if let Some(refuted) = &self.infeasible {
             lines.push(format!(
-                "proved in fractions: there is no solution; impulses p with −Wᵀp in K* and p·(u_free + shift) = {}",
-                refuted.product
+                "proved in fractions{}: there is no solution; impulses p with −Wᵀp in K* and p·(u_free + shift) = {}",
+                refuted.of_which, refuted.product
             ));
         }
         lines
@@ -124,7 +147,10 @@ impl Proofs {
 pub fn no_solution(problem: &ContactProblem) -> Option<String> {
     let found = infeasible(problem)?;
     let product = significant(Scalar::to_f64(&found.product));
-    Some(format!("proved in fractions: the problem has no solution; impulses p with −Wᵀp in K* have p·(u_free + shift) = {product} J\n"))
+    let of_which = of_which(problem);
+    Some(format!(
+        "proved in fractions{of_which}: the problem has no solution; impulses p with −Wᵀp in K* have p·(u_free + shift) = {product} J\n"
+    ))
 }
 
 impl Several {
@@ -145,6 +171,7 @@ impl From<Solutions> for All {
         let rounded = |numbers: &[Rational]| numbers.iter().map(Scalar::to_f64).collect();
         All {
             patterns: all.patterns,
+            pieces: None,
             velocities: all.found.len(),
             continuum: all.continuum.is_some(),
             found: all.found.iter().map(|one| rounded(one.velocity.as_slice())).collect(),
@@ -152,8 +179,26 @@ impl From<Solutions> for All {
     }
 }
 
-impl From<Infeasible> for Refuted {
-    fn from(found: Infeasible) -> Self {
-        Refuted { witness: found.witness.iter().map(Rational::to_string).collect(), product: found.product.to_string() }
+impl From<Velocities> for All {
+    fn from(all: Velocities) -> Self {
+        All {
+            patterns: all.patterns,
+            pieces: Some(all.pieces),
+            velocities: all.found.len(),
+            continuum: false,
+            found: all.found.iter().map(|(answer, _)| answer.velocity.as_slice().to_vec()).collect(),
+        }
     }
+}
+
+impl Refuted {
+    fn new(problem: &ContactProblem, found: Infeasible) -> Self {
+        let witness = found.witness.iter().map(Rational::to_string).collect();
+        Refuted { witness, product: found.product.to_string(), of_which: of_which(problem) }
+    }
+}
+
+/// Of which W it is proved, where there are two: W of mass and Jacobian is rounded before the witness is checked.
+fn of_which(problem: &ContactProblem) -> &'static str {
+    if problem.knows_rows() { " of W as it is rounded from mass and Jacobian" } else { "" }
 }

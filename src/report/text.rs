@@ -63,8 +63,13 @@ fn count(outcomes: &[JudgedClaim]) -> String {
     format!("{}: {}; {contradicted} contradicted", counted(outcomes.len(), "claim"), verdicts(outcomes.iter()))
 }
 
+/// The name of a problem between quotation marks, or that it has none.
+pub fn quoted(name: &str) -> String {
+    if name.is_empty() { "without a name".into() } else { format!("`{name}`") }
+}
+
 /// A count with its word, in the plural unless it is one.
-fn counted(count: usize, word: &str) -> String {
+pub fn counted(count: usize, word: &str) -> String {
     format!("{count} {word}{}", if count == 1 { "" } else { "s" })
 }
 

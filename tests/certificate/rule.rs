@@ -53,6 +53,8 @@ struct At {
     floor_n: f64,
     floor_t: f64,
     rho_n: f64,
+    /// 10³ ρ_t V \[N·s\].
+    along: f64,
     scales: Scales,
     tolerance: f64,
     /// 8ε or 0.
@@ -95,17 +97,22 @@ pub fn judge(problem: &Exact, groups: &[Vec<usize>], answer: &Answer, limits: Li
     let y = problem.law_velocity(answer.impulse, answer.net);
     let mut at: Vec<At> = (0..problem.contacts()).map(|k| at(problem, answer, &y, k, limits)).collect();
     let own: Vec<Scales> = at.iter().map(|at| at.scales).collect();
-    let data = problem.free.iter().zip(&problem.shift).map(|(free, shift)| nearest(&(free + shift)).abs());
-    let stiff = (0..y.len()).map(|i| nearest(&(&y[i] - &problem.free[i] - &problem.shift[i])).abs());
-    // no size is more than 10⁶ times what the fastest velocity of the data asks of the contact; of the impulses, if the data have none
-    let [given, moved] = [data.fold(0.0, f64::max), stiff.fold(0.0, f64::max)];
-    let most = 1e6 * if given > 0.0 { given } else { moved };
-    for (at, group) in at.iter_mut().zip(groups) {
+    let data = |i: usize| nearest(&(&problem.free[i] + &problem.shift[i])).abs();
+    let stiff = |i: usize| nearest(&(&y[i] - &problem.free[i] - &problem.shift[i])).abs();
+    let islands = islands(problem);
+    for (k, (at, group)) in at.iter_mut().zip(groups).enumerate() {
+        // no size is more than 10³ times what the fastest velocity of the island's data asks; of the impulses, if the data have none
+        let rows = || (0..y.len()).filter(|i| islands[i / problem.rows] == islands[k]);
+        let [given, moved] = [rows().map(data).fold(0.0, f64::max), rows().map(stiff).fold(0.0, f64::max)];
+        let most = 1e3 * if given > 0.0 { given } else { moved };
+        let (most_n, most_t) = (most * at.rho_n, most * nearest(&at.rho_t));
         let largest = |scale: fn(&Scales) -> f64| group.iter().map(|&j| scale(&own[j])).fold(0.0, f64::max);
+        let along = if problem.rows > 1 { most_t } else { f64::INFINITY };
+        at.along = along;
         at.scales = Scales {
-            normal: largest(|s| s.normal).max(at.scales.data_n).min(most * at.rho_n),
-            carried: largest(|s| s.carried).max(at.scales.data_r).min(most * at.rho_n),
-            tangential: largest(|s| s.tangential).max(at.scales.data_t).min(most * nearest(&at.rho_t)),
+            normal: largest(|s| s.normal).max(at.scales.data_n).min(most_n),
+            carried: largest(|s| s.carried).max(at.scales.data_r).min(most_n).min(along),
+            tangential: largest(|s| s.tangential).max(at.scales.data_t).min(most_t),
             ..at.scales
         };
     }
@@ -123,6 +130,22 @@ pub fn judge(problem: &Exact, groups: &[Vec<usize>], answer: &Answer, limits: Li
             law => panic!("no rule is derived here for {law:?}"),
         })
         .collect()
+}
+
+/// Of every contact the first of those that W joins with it.
+fn islands(problem: &Exact) -> Vec<usize> {
+    let (n, rows) = (problem.contacts(), problem.rows);
+    let meet =
+        |j: usize, k: usize| (0..rows * rows).any(|place| problem.delassus[(j * rows + place / rows, k * rows + place % rows)] != zero());
+    let mut first: Vec<usize> = (0..n).collect();
+    // as often as a name may have to travel
+    for _ in 0..n {
+        for (j, k) in (0..n).flat_map(|j| (0..n).map(move |k| (j, k))).filter(|(j, k)| meet(*j, *k)) {
+            let least = first[j].min(first[k]);
+            (first[j], first[k]) = (least, least);
+        }
+    }
+    first
 }
 
 fn at(problem: &Exact, answer: &Answer, y: &[Rational], k: usize, limits: Limits) -> At {
@@ -168,6 +191,7 @@ fn at(problem: &Exact, answer: &Answer, y: &[Rational], k: usize, limits: Limits
         floor_t: t.map(|i| floor(i).powi(2)).sum::<f64>().sqrt(),
         rho_t,
         rho_n,
+        along: f64::INFINITY,
         scales,
         tolerance: limits.tolerance,
         last_digits: if limits.floors { 8.0 * f64::EPSILON } else { 0.0 },
@@ -258,9 +282,11 @@ impl At {
     /// The pairs (f_j, y_n + μ D_j·y_t + R_j f_j).
     fn edges(&self, d: usize, soft: Option<&[Rational]>) -> f64 {
         let f = self.recovered_edges(d);
-        let impulse = self.tolerance * self.scales.carried.max(self.scales.normal);
+        let scale = self.scales.carried.max(self.scales.normal);
         let floor = self.floor_n + nearest(&self.mu) * self.floor_t;
-        let velocity = floor.max(impulse / self.rho_n);
+        let velocity = floor.max(self.tolerance * scale / self.rho_n);
+        let mu = nearest(&self.mu);
+        let impulse = self.tolerance * scale.min(if mu > 0.0 { self.along / mu } else { f64::INFINITY });
         let pairs = along(&self.slip, d).into_iter().enumerate().map(|(j, v)| {
             let w = &self.normal + &self.mu * v + soft.map_or_else(zero, |soft| &soft[j] * &f[j]);
             pair((nearest(&f[j]), impulse), (nearest(&w), velocity))

@@ -145,3 +145,42 @@ fn an_exported_answer_has_the_iterations_of_its_solver_or_none() {
     assert_eq!(moreau(&["problems", "export", "single-slide", &place]).code, 0);
     assert!(!std::fs::read_to_string(folder.path("single-slide.solution.json")).expect("written").contains("\"iterations\":0"));
 }
+
+#[test]
+fn what_is_no_problem_is_told_by_what_it_is() {
+    let folder = Folder::new("advice-kinds");
+    let solve = |name: &str, text: &str| moreau(&["solve", &folder.file(name, text)]);
+    for schema in ["lcp", "contact-problem/2", "scene/1"] {
+        let read = [&format!("is \"{schema}\"")[..], "\"contact-problem/1\" or \"lcp/1\""];
+        solve("schema.json", &PROBLEM.replace("contact-problem/1", schema)).is_refused(&read);
+    }
+    solve("marked.json", &format!("\u{feff}{PROBLEM}")).is_refused(&["marked.json", "`schema`", "byte-order mark", "save"]);
+    solve("broken.dat", "garbage").is_refused(&["broken.dat", "`sizes`", "`garbage`", "Siconos's text"]);
+    solve("broken.hdf5", "garbage").is_refused(&["broken.hdf5", "`HDF5`", "FCLIB"]);
+    solve("two.json", &PROBLEM.replace("[0.5]", "[0.5, 0.5]")).is_refused(&["`friction`: has size 2; give 1"]);
+    let place = folder.path("");
+    moreau(&["solve", &place]).is_refused(&["PROBLEM", "a folder", "moreau bench"]);
+    moreau(&["certify", &place, "answer.json"]).is_refused(&["PROBLEM", "a folder"]);
+    moreau(&["certify", &folder.file("problem.json", PROBLEM), &place]).is_refused(&["a folder", "give a file in it"]);
+    moreau(&["problems", "measure", &place]).is_refused(&["a folder", "give a file in it"]);
+    for solver in ["auto", "pgs"] {
+        let run = moreau(&["solve", &folder.path("problem.json"), "--solver", solver, "--iterations", "0"]);
+        run.is_refused(&["field `--iterations`: is 0", "from 1"]);
+    }
+    moreau(&["solve", &folder.path("problem.json"), "--solver", "lemke", "--iterations", "5"])
+        .is_refused(&["`--iterations`", "leave it out"]);
+}
+
+#[test]
+fn impulses_alone_are_an_answer() {
+    let folder = Folder::new("advice-impulses");
+    let problem = folder.file("problem.json", PROBLEM);
+    for (impulse, code) in [("[1, -0.5]", 0), ("[0, 0]", 1), ("[1, -0.25]", 1)] {
+        let answer = folder.file("answer.json", &format!(r#"{{"schema": "solution/1", "impulse": {impulse}}}"#));
+        assert_eq!(moreau(&["certify", &problem, &answer]).code, code, "{impulse}");
+    }
+    let wrong = folder.file("wrong.json", r#"{"schema": "solution/1", "impulse": [1, -0.5], "velocity": [1, 1.5]}"#);
+    assert_eq!(moreau(&["certify", &problem, &wrong]).code, 1, "a velocity that is given is still compared");
+    let short = folder.file("short.json", r#"{"schema": "solution/1", "impulse": [1]}"#);
+    moreau(&["certify", &problem, &short]).is_refused(&["short.json", "`impulse`: has size 1; give size 2"]);
+}

@@ -134,3 +134,28 @@ fn answers_are_kept_counts_are_kept_and_the_law_can_be_another() {
     assert_eq!(moreau(&["convert", &problem, "--law", "associated", "--out", &convex]).code, 0);
     assert_eq!(moreau(&["certify", &convex, &format!("{answers}/b.dat.auto.json")]).code, 0);
 }
+
+#[test]
+fn a_problem_without_solution_is_answered_by_saying_so() {
+    let folder = Folder::new("bench-none");
+    let names = ["wedge-jammed", "walls-overlapping-line", "walls-overlapping-plane", "rail-deep", "rail-restitution", "single-slide"];
+    for name in names {
+        assert_eq!(moreau(&["problems", "export", name, &folder.path("")]).code, 0, "{name}");
+    }
+    let run = moreau(&["bench", &folder.path(""), "--repeat", "0"]);
+    assert!(run.code == 0 && run.output.contains("1 of 1 solved, 5 without solution"), "{}", run.output);
+    assert_eq!(run.output.matches("no solution, as is proved").count(), 5, "{}", run.output);
+    let json = moreau(&["bench", &folder.path(""), "--repeat", "0", "--format", "json"]).json();
+    assert_eq!((&json["solvers"][0]["without_solution"], &json["solvers"][0]["problems"]), (&5.into(), &1.into()));
+    // the same data with a solution that nobody finds is not answered
+    let unsolved = moreau(&["bench", &folder.path("single-slide.json"), "--repeat", "0", "--solver", "murty"]);
+    assert!(unsolved.code == 1 && !unsolved.output.contains("no solution"), "{}", unsolved.output);
+}
+
+#[test]
+fn a_bench_of_nothing_and_a_solver_twice_are_refused() {
+    let folder = Folder::new("bench-nothing");
+    let problem = folder.file("a.json", PROBLEM);
+    moreau(&["bench", &problem, "--solves", "0"]).is_refused(&["`--solves`: is 0", "from 1"]);
+    moreau(&["bench", &problem, "--solver", "pgs", "--solver", "auto", "--solver", "pgs"]).is_refused(&["`--solver`", "`pgs` twice"]);
+}

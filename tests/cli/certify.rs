@@ -139,6 +139,36 @@ fn a_proof_names_a_radius_and_whether_the_velocities_are_unique() {
 }
 
 #[test]
+fn in_space_the_velocities_of_few_contacts_and_the_impulses_of_a_velocity_are_counted() {
+    let folder = Folder::new("certify-space");
+    // Painlevé's rod: it lifts off, slides, or is jammed
+    let rod = r#"{"schema": "contact-problem/1", "name": "rod", "dimension": 3, "law": "coulomb", "friction": [1],
+        "free_velocity": [1, 4, 0], "delassus": {"shape": [3, 3], "rows": [[1, 2, 0], [2, 5, 0], [0, 0, 1]]}}"#;
+    let answer = r#"{"schema": "solution/1", "impulse": [3, -2, 0], "velocity": [0, 0, 0]}"#;
+    let files = [folder.file("rod.json", rod), folder.file("jammed.json", answer)];
+    let run = moreau(&["certify", &files[0], &files[1], "--prove"]);
+    assert_eq!(run.code, 0, "{}{}", run.output, run.message);
+    for part in ["all 3 patterns tried in", "the solutions have exactly 3 velocities", "no other impulses give this velocity"] {
+        assert!(run.output.contains(part), "{part}: {}", run.output);
+    }
+    // exactly on the border between sticking and sliding nothing is counted, and the reason is told
+    let border = r#"{"schema": "contact-problem/1", "name": "border", "dimension": 3, "law": "coulomb", "friction": [3],
+        "free_velocity": [-1, -3, 0], "delassus": {"shape": [3, 3], "rows": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}}"#;
+    let stuck = r#"{"schema": "solution/1", "impulse": [1, 3, 0], "velocity": [0, 0, 0]}"#;
+    let files = [folder.file("border.json", border), folder.file("stuck.json", stuck)];
+    let json = moreau(&["certify", &files[0], &files[1], "--prove", "--format", "json"]).json();
+    assert!(json["solutions"].get("all").is_none() && json["solutions"]["undecided"].is_array(), "{json}");
+    // two contacts at one place share the weight in any way
+    let twice = r#"{"schema": "contact-problem/1", "name": "twice", "dimension": 2, "law": "coulomb", "friction": [0, 0],
+        "free_velocity": [-1, 0, -1, 0],
+        "delassus": {"shape": [4, 4], "rows": [[1, 0, 1, 0], [0, 1, 0, 1], [1, 0, 1, 0], [0, 1, 0, 1]]}}"#;
+    let shared = r#"{"schema": "solution/1", "impulse": [0.5, 0, 0.5, 0], "velocity": [0, 0, 0, 0]}"#;
+    let files = [folder.file("twice.json", twice), folder.file("shared.json", shared)];
+    let json = moreau(&["certify", &files[0], &files[1], "--prove", "--format", "json"]).json();
+    assert_eq!(json["forward"]["impulse_set"], serde_json::json!({"at_least": 1, "at_most": 1}), "{json}");
+}
+
+#[test]
 fn a_problem_without_solution_is_refuted_with_a_witness() {
     let folder = Folder::new("certify-none");
     // a body that slides along two walls, which close in
@@ -210,4 +240,21 @@ fn several_velocities_are_counted_by_disjoint_enclosures_and_one_is_not() {
     let stuck = folder.file("stuck.json", &format!(r#"{{"schema": "solution/1", "impulse": {impulse:?}, "velocity": {:?}}}"#, [0; 14]));
     let run = moreau(&["certify", &of("one.json", [-1.0, 1.0]), &stuck, "--prove", "--format", "json"]);
     assert!(run.code == 0 && run.json()["solutions"].get("several").is_none(), "{}{}", run.output, run.message);
+}
+
+#[test]
+fn an_lcp_has_no_units_and_a_problem_may_have_no_name() {
+    let folder = Folder::new("certify-lcp");
+    let lcp = folder.file("lcp.json", r#"{"schema": "lcp/1", "matrix": {"shape": [2, 2], "rows": [[2, 1], [0, 1]]}, "vector": [-1, 2]}"#);
+    let answer = folder.file("answer.json", r#"{"schema": "solution/1", "impulse": [0.5, 0]}"#);
+    for more in [&[][..], &["--prove"]] {
+        let run = moreau(&[&["certify", &lcp, &answer], more].concat());
+        assert!(run.code == 0 && run.output.starts_with("linear complementarity problem without a name, rows: 2; "), "{}", run.output);
+        assert!(!["N·s", "m/s", " J "].iter().any(|unit| run.output.contains(unit)), "{}", run.output);
+    }
+    let solved = moreau(&["solve", &lcp]);
+    assert!(solved.code == 0 && !solved.message.contains("N·s") && !solved.message.contains("``"), "{}", solved.message);
+    let unnamed = folder.file("unnamed.json", &PROBLEM.replace("\"block\"", "\"\""));
+    let solved = moreau(&["solve", &unnamed]);
+    assert!(solved.message.starts_with("problem without a name, law coulomb") && solved.message.contains("N·s"), "{}", solved.message);
 }

@@ -64,7 +64,16 @@ fn what_is_not_done_with_joints_is_refused_by_name() {
     let (bob, block) = (folder.file("bob.json", BOB), folder.file("block.json", PROBLEM));
     let answer = folder.path("answer.json");
     assert_eq!(moreau(&["solve", &bob, "--out", &answer]).code, 0);
-    moreau(&["certify", &bob, &answer, "--prove"]).is_refused(&["bob.json", "--prove", "kinds"]);
+    let plain = moreau(&["certify", &bob, &answer]);
+    let proved = moreau(&["certify", &bob, &answer, "--prove"]);
+    let said = "no backward error is proved: proofs are of contacts alone, and this problem has joints\n";
+    assert_eq!((proved.code, proved.output.replace(said, "")), (0, plain.output), "the ordinary certificate");
+    assert!(proved.output.contains(said), "{}", proved.output);
+    let nothing = folder.file("nothing.json", r#"{"schema": "solution/1", "problem": "bob", "impulse": [0, 0]}"#);
+    let rejected = moreau(&["certify", &bob, &nothing, "--prove"]);
+    assert!(rejected.code == 1 && rejected.output.contains("NOT a solution"), "{}", rejected.output);
+    let newton = moreau(&["solve", &bob, "--solver", "newton"]);
+    assert!(newton.code == 1 && newton.message.contains("once the joints are eliminated"), "{}", newton.message);
     moreau(&["convert", &bob]).is_refused(&["bob.json", "kinds", "moreau solve"]);
     moreau(&["problems", "measure", &bob]).is_refused(&["bob.json", "kinds"]);
     moreau(&["certify", &block, &answer]).is_refused(&["answer.json", "problem"]);

@@ -86,6 +86,21 @@ fn a_size_that_is_none_is_refused() {
 }
 
 #[test]
+fn a_number_of_threads_that_is_none_is_refused_and_any_other_answers_alike() {
+    let folder = Folder::new("limits-threads");
+    let problem = folder.file("problem.json", PROBLEM);
+    let run = |threads: &str| moreau(&["solve", &problem, "--solver", "pgs", "--threads", threads]);
+    for none in ["0", "-1", "two", "1.5"] {
+        assert_eq!(run(none).code, 2, "{none}");
+    }
+    let one = run("1");
+    assert_eq!(one.code, 0, "{}", one.message);
+    for threads in ["2", "1000000"] {
+        assert_eq!(run(threads).output, one.output, "{threads}");
+    }
+}
+
+#[test]
 fn files_beyond_256_mb_are_refused_unread() {
     let folder = Folder::new("limits-files");
     let hollow = folder.path("hollow.json");

@@ -11,6 +11,7 @@ mod limits;
 mod problems;
 mod schema;
 mod scoreboard;
+mod shell;
 mod simulate;
 mod solve;
 mod steps;

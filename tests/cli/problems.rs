@@ -12,6 +12,8 @@ fn problems_are_listed_and_filtered() {
     let small = moreau(&["problems", "list", "--to", "1", "--law", "coulomb"]);
     assert!(small.code == 0 && small.output.contains("single-slide") && !small.output.contains("tower"), "{}", small.output);
     moreau(&["problems", "list", "--group", "sphere"]).is_refused(&["--group", "`spheres`"]);
+    moreau(&["problems", "list", "--from", "10", "--to", "5"]).is_refused(&["`--from`: is 10", "--to is 5"]);
+    assert_eq!(moreau(&["problems", "list", "--from", "5", "--to", "5"]).code, 0);
     moreau(&["problems", "list", "--velocity", "two"]).is_refused(&["--velocity", "unique"]);
 }
 
@@ -34,6 +36,8 @@ fn exported_problems_are_certified_in_both_formats_and_what_has_no_place_is_refu
     assert_eq!(moreau(&["certify", &folder.path("single-slide.hdf5")]).code, 0);
     moreau(&["problems", "export", "single-associated", &place, "--to", "fclib"]).is_refused(&["FCLIB", "contact-problem/1"]);
     moreau(&["problems", "export", "single-slide"]).is_refused(&["FOLDER"]);
+    moreau(&["problems", "export", "--all"]).is_refused(&["`FOLDER`: is missing", "--all FOLDER"]);
+    moreau(&["problems", "export"]).is_refused(&["`NAME`: is missing", "--all"]);
     moreau(&["problems", "export", "single-slide", &place, "--all"]).is_refused(&["--all"]);
 }
 
@@ -48,6 +52,25 @@ fn a_problem_is_measured_and_one_without_solution_is_answered_no() {
     let given = folder.path("single-slide.solution.json");
     let with = moreau(&["problems", "measure", &folder.path("single-slide.json"), "--given", &given, "--format", "json"]);
     assert_eq!(with.json()["answers"].as_array().map(Vec::len), Some(1));
+    let text = moreau(&["problems", "measure", &folder.path("single-slide.json")]).output;
+    let head = text.lines().next().unwrap_or_default();
+    assert!(["solver", "ended", "residual", "iterations", "[m/s]"].iter().all(|column| head.contains(column)), "{text}");
     let none = moreau(&["problems", "measure", &folder.path("rail-deep.json")]);
     assert!(none.code == 1 && none.output.contains("answers with different velocities: 0"), "{}", none.output);
+}
+
+#[test]
+fn every_solver_is_measured_and_shown_or_said_to_be_left_out() {
+    let folder = Folder::new("problems-left-out");
+    assert_eq!(moreau(&["problems", "export", "single-slide", &folder.path("")]).code, 0);
+    let measured = moreau(&["problems", "measure", &folder.path("single-slide.json")]).output;
+    let shown = moreau(&["problems", "show", "single-slide"]).output;
+    for text in [&measured, &shown] {
+        for name in moreau::solvers::ALL.names() {
+            let is_line = |line: &str| line.split_whitespace().next() == Some(name);
+            let is_left_out = |line: &str| line.starts_with("not asked: ") && line.split([' ', ',']).any(|word| word == name);
+            assert_eq!(text.lines().filter(|line| is_line(line) || is_left_out(line)).count(), 1, "{name}: {text}");
+        }
+    }
+    assert!(measured.contains("not asked: cg, gauss-pgs, sap, sequential-impulses (the engines' own iterations"), "{measured}");
 }

@@ -229,3 +229,29 @@ fn drakes_schemes_take_their_material_and_refuse_what_does_nothing() {
         assert!(run.code == 2 && run.message.contains(option) && run.message.contains(owner), "{scheme} {option}: {}", run.message);
     }
 }
+
+#[test]
+fn what_would_do_nothing_is_refused() {
+    let folder = Folder::new("simulate-nothing");
+    let simulate = |more: &[&str]| moreau(&[&["simulate", "--scene", "ball-drop", "--step", "0.01"], more].concat());
+    let picture = folder.path("ball.png");
+    simulate(&["--plot", &picture]).is_refused(&["`--plot`", "ball.png", "end the name in .svg"]);
+    moreau(&["compare", "ball-drop", "--plot", &picture]).is_refused(&["`--plot`", "ball.png"]);
+    for scheme in ["xpbd", "pbd"] {
+        let out = folder.path("motion.json");
+        simulate(&["--scheme", scheme, "--solver", "lemke", "--out", &out]).is_refused(&["`--solver`", scheme, "leave it out"]);
+        assert_eq!(simulate(&["--scheme", scheme]).code, 0, "{scheme}");
+    }
+    assert_eq!(simulate(&["--solver", "lemke"]).code, 0, "a scheme that asks its solver");
+    assert!(folder.names().is_empty(), "{:?}", folder.names());
+}
+
+#[test]
+fn a_time_step_may_be_a_fraction() {
+    let run = |step: &str| moreau(&["simulate", "--scene", "ball-drop", "--step", step, "--format", "json"]);
+    assert_eq!(run("1/250").output, run("0.004").output);
+    for wrong in ["1/0", "-1/60", "0/3"] {
+        assert_eq!(run(wrong).code, 2, "{wrong}");
+    }
+    assert!(run("1/x").message.contains("1/240"));
+}

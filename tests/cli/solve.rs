@@ -116,6 +116,17 @@ fn bad_problems_are_refused_by_file_and_field_and_nothing_is_written() {
     let mass = r#""mass": {"shape": [2, 2], "rows": [[-1, 0], [0, 1]]}, "jacobian": {"shape": [2, 2], "rows": [[1, 0], [0, 1]]}"#;
     let file = folder.file("mass.json", &PROBLEM.replace(r#""delassus": {"shape": [2, 2], "rows": [[1, 0], [0, 1]]}"#, mass));
     moreau(&["solve", &file, "--out", &folder.path("answer.out")]).is_refused(&["mass.json", "mass"]);
+    let operator = r#""delassus": {"shape": [2, 2], "rows": [[1, 0], [0, 1]]}"#;
+    let one = r#"{"shape": [2, 2], "rows": [[1, 0], [0, 1]]}"#;
+    for (name, given, missing) in [
+        ("no-jacobian.json", format!("\"mass\": {one}"), ["`jacobian`", "is missing"]),
+        ("no-mass.json", format!("\"jacobian\": {one}"), ["`mass`", "is missing"]),
+        ("no-operator.json", "\"shift\": [0, 0]".into(), ["`delassus`", "is missing"]),
+        ("both.json", format!("{operator}, \"mass\": {one}"), ["`delassus`", "stands beside"]),
+    ] {
+        let file = folder.file(name, &PROBLEM.replace(operator, &given));
+        moreau(&["solve", &file, "--out", &folder.path("answer.out")]).is_refused(&[&[name], &missing[..]].concat());
+    }
     moreau(&["solve", &folder.path("missing.json")]).is_refused(&["missing.json", "cannot read"]);
     let good = folder.file("good.json", PROBLEM);
     moreau(&["solve", &good, "--solver", "magic"]).is_refused(&["--solver", "magic", "pgs"]);
@@ -209,5 +220,76 @@ fn an_answer_of_a_time_limit_is_marked() {
     assert!(run.output.contains("another run need not find"), "{}", run.output);
     for (option, value) in [("--time-limit", "0"), ("--time-limit", "nan"), ("--tolerance", "-1")] {
         moreau(&["solve", &empty, option, value]).is_refused(&[option]);
+    }
+}
+
+#[test]
+fn of_the_impulses_that_give_one_velocity_those_of_least_norm_are_chosen_on_request() {
+    let folder = Folder::new("solve-least-norm");
+    let twice = r#"{"schema": "contact-problem/1", "name": "twice", "dimension": 1, "law": "frictionless", "friction": [0, 0],
+        "free_velocity": [-1, -1], "delassus": {"shape": [2, 2], "rows": [[1, 1], [1, 1]]}}"#;
+    let one =
+        r#"{"schema": "solution/1", "problem": "twice", "solver": "by hand", "impulse": [1, 0], "velocity": [0, 0], "iterations": 0}"#;
+    let (problem, start) = (folder.file("problem.json", twice), folder.file("start.json", one));
+    let impulses = |extra: &[&str]| {
+        let run = moreau(&[&["solve", &problem, "--start", &start], extra].concat());
+        assert_eq!(run.code, 0, "{}", run.message);
+        run.json()["impulse"].as_array().expect("a list").iter().map(|r| r.as_f64().expect("a number")).collect::<Vec<f64>>()
+    };
+    assert_eq!(impulses(&[]), [1.0, 0.0]);
+    assert!(impulses(&["--least-norm"]).iter().all(|r| (r - 0.5).abs() <= 1e-12));
+}
+
+#[test]
+fn the_history_is_shown_in_both_formats_and_an_indefinite_lcp_is_named_so() {
+    let folder = Folder::new("solve-history");
+    let coupled = folder.file("coupled.json", &PROBLEM.replace("[[1, 0], [0, 1]]", "[[1, 0.9], [0.9, 1]]"));
+    let words = ["solve", &coupled, "--solver", "psor", "--out", &folder.path("answer.json"), "--history"];
+    let (text, json) = (moreau(&words).output, moreau(&[&words[..], &["--format", "json"]].concat()).json());
+    let looks = json["history"].as_array().expect("a list");
+    let (_, shown) = text.split_once("look by look of the solver:\n").expect("a history");
+    let shown: Vec<f64> =
+        shown.lines().take_while(|line| line.starts_with("  ")).flat_map(str::split_whitespace).flat_map(str::parse).collect();
+    assert!(!looks.is_empty() && shown.len() == looks.len(), "{text}");
+    assert!(shown.iter().zip(looks).all(|(one, other)| (one - other.as_f64().unwrap()).abs() <= 0.06 * one), "{text}");
+    assert!(!moreau(&words[..6]).output.contains("look by look"));
+    let falling = r#"{"schema": "lcp/1", "matrix": {"shape": [2, 2], "rows": [[-1, 0], [0, -1]]}, "vector": [-1, -2]}"#;
+    let run = moreau(&["solve", &folder.file("falling.json", falling), "--solver", "admm"]);
+    assert!(run.code == 1 && run.message.contains("positive semidefinite") && !run.message.contains("too large"), "{}", run.message);
+}
+
+#[test]
+fn an_operator_that_is_none_of_contacts_is_remarked_upon_and_a_matrix_of_an_lcp_is_not() {
+    let folder = Folder::new("solve-remarks");
+    let of = |rows: &str| folder.file("problem.json", &PROBLEM.replace("[[1, 0], [0, 1]]", rows));
+    let out = folder.path("answer.json");
+    let remarks = |file: &str, more: &[&str]| moreau(&[&["solve", file, "--out", &out], more].concat()).message;
+    assert_eq!(remarks(&of("[[1, 0], [0, 1]]"), &[]), "");
+    let skewed = of("[[1, 0.5], [0, 1]]");
+    let said = remarks(&skewed, &[]);
+    assert!(
+        said.starts_with("remark: ") && said.contains("problem.json") && said.contains("not symmetric, max |W − Wᵀ| is 5.0e-1"),
+        "{said}"
+    );
+    assert_eq!(remarks(&skewed, &["--format", "json"]), "", "standard error may be for programs");
+    assert!(moreau(&["certify", &skewed, &out]).message.contains("not symmetric"));
+    let falling = remarks(&of("[[-1, 0], [0, 1]]"), &[]);
+    assert!(falling.contains("W_ii < 0 in row 0") && !falling.contains("symmetric"), "{falling}");
+    let lcp = r#"{"schema": "lcp/1", "matrix": {"shape": [2, 2], "rows": [[2, 1], [0, -1]]}, "vector": [-1, 2]}"#;
+    assert!(!remarks(&folder.file("lcp.json", lcp), &[]).contains("remark"));
+}
+
+#[test]
+fn a_start_is_refused_where_the_solver_has_one_of_its_own() {
+    let folder = Folder::new("solve-start");
+    let (problem, answer) = (folder.file("problem.json", PROBLEM), folder.path("answer.json"));
+    assert_eq!(moreau(&["solve", &problem, "--out", &answer]).code, 0);
+    for solver in moreau::solvers::ALL.names() {
+        let run = moreau(&["solve", &problem, "--solver", solver, "--start", &answer]);
+        if moreau::solvers::ALL.by_name(solver).expect("listed").takes_start() {
+            assert!(run.code < 2, "{solver}: {}", run.message);
+        } else {
+            run.is_refused(&["field `--start`", solver, "leave it out"]);
+        }
     }
 }

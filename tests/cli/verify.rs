@@ -149,3 +149,17 @@ fn a_reader_that_stops_early_changes_neither_the_verdict_nor_the_peace() {
         assert_eq!((output.status.code(), String::from_utf8_lossy(&output.stderr).as_ref()), (Some(0), ""), "{arguments:?}");
     }
 }
+
+#[test]
+fn claims_are_found_by_words_and_ids_in_any_case() {
+    let list = |arguments: &[&str]| moreau(&[&["verify", "--list"], arguments].concat());
+    let found = list(&["--search", "Zeno"]);
+    assert_eq!(found.code, 0, "{}", found.message);
+    assert!(found.output.contains("Zeno") && found.output.lines().count() < claims::all().count() / 4, "{}", found.output);
+    assert_eq!(found.output, list(&["--search", "zeno"]).output);
+    let both = list(&["--search", "zeno step"]);
+    assert!(both.code == 0 && both.output.lines().count() < found.output.lines().count(), "{}", both.output);
+    list(&["--search", "complementaritty"]).is_refused(&["--search complementaritty", "did you mean `complementarity`"]);
+    assert_eq!(list(&["--filter", "s4"]).output, list(&["--filter", "S4"]).output);
+    assert_eq!(moreau(&["verify", "--explain", "s12.STEP"]).output, moreau(&["verify", "--explain", "S12.step"]).output);
+}

@@ -11,13 +11,9 @@ use std::path::Path;
 /// Contacts of the problems whose answers are certified again by default.
 const CERTIFIED: usize = 60;
 /// The problems whose only velocity one family of algorithms found.
-const ALONE: [&str; 5] = [
-    "tower-alternating-12-1e6-drift-associated",
-    "tower-alternating-20-1e4-drift-associated",
-    "pile-30-associated",
-    "capsules-249-associated",
-    "heap-252-associated",
-];
+const ALONE: [&str; 3] = ["pile-30-associated", "capsules-249-associated", "heap-252-associated"];
+/// The problem with a solution to which no solver has an answer that the certificate accepts: its light boxes carry 10⁷ times their load.
+const UNANSWERED: &str = "tower-alternating-12-1e6-drift-associated";
 /// Bytes of one file.
 const LARGEST_FILE: usize = 2_000_000;
 
@@ -33,7 +29,8 @@ fn names_groups_and_sizes_are_those_of_the_problems() {
         assert_eq!(stored.name, record.name);
         assert!(stored.record.len() <= LARGEST_FILE && stored.problem.is_none_or(|text| text.len() <= LARGEST_FILE), "{}", record.name);
         assert!(record.stored == stored.problem.is_some() && record.sha256.len() == 64 && record.script.contains(&record.name));
-        assert_eq!(record.answers.is_empty(), record.uniqueness.velocity == Known::None, "{}: answers", record.name);
+        let unanswered = record.uniqueness.velocity == Known::None || UNANSWERED == record.name;
+        assert_eq!(record.answers.is_empty(), unanswered, "{}: answers", record.name);
     }
     for (_, problem, record) in stored(CERTIFIED) {
         let sizes = (problem.name(), problem.contacts(), problem.rows_per_contact(), problem.law().name());

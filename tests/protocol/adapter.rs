@@ -111,6 +111,9 @@ impl Adapter {
             "other-unit" => description["contact_model"]["parameters"]["restitution_threshold"]["unit"] = json!("m"),
             "own-law" => description["contact_model"]["law"] = json!("bouncy"),
             "counts" => description["options"]["iterations"] = json!(self.requests),
+            "shape-twice" => description["shapes"] = json!(["sphere", "box", "sphere"]),
+            "no-free-bodies" => description["bodies"] = json!([]),
+            "slab-falls" => description["bodies"] = json!(["free", "static"]),
             "undeclared-restitution" => description["restitution"] = json!(false),
             _ => {}
         }

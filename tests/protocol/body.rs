@@ -142,6 +142,14 @@ impl Simulation {
         json!({"sample": sample, "bodies": bodies, "normal": [0, 0, normal], "impulse": [0, 0, impulse]})
     }
 
+    /// A further body, which nothing holds.
+    fn falling(&self, body: &Value) -> Value {
+        let each = |of: &dyn Fn(f64) -> Vector3<f64>| self.times.iter().map(|t| json!(of(*t).as_slice())).collect::<Vec<_>>();
+        let still = self.times.iter().map(|_| json!([1.0, 0.0, 0.0, 0.0])).collect::<Vec<_>>();
+        json!({"name": body["name"], "position": each(&|t| vector(&body["position"]) + self.gravity * (0.5 * t * t)), "orientation": still,
+            "linear_velocity": each(&|t| self.gravity * t), "angular_velocity": each(&|_| Vector3::zeros())})
+    }
+
     pub fn trajectory(self) -> Value {
         let column = |k: usize| self.samples.iter().map(|sample| sample[k].clone()).collect::<Vec<_>>();
         let last = self.times.len() - 1;
@@ -154,11 +162,14 @@ impl Simulation {
         let kept =
             placed.filter(|(sample, impulse)| *impulse != 0.0 && (1..=last as i64).contains(sample) && self.mistake != "no-contacts");
         let contacts: Vec<_> = kept.map(|(sample, impulse)| self.contact(sample as usize, impulse)).collect();
+        let own = json!({"name": self.scene["bodies"][0]["name"], "position": column(0), "orientation": column(1),
+            "linear_velocity": column(2), "angular_velocity": column(3)});
+        let others = self.scene["bodies"].as_array().expect("a list").iter().skip(1).map(|body| self.falling(body));
+        let bodies: Vec<_> = std::iter::once(own).chain(others).collect();
         json!({
             "schema": "trajectory/1", "scene": self.scene, "engine": {"name": "one body", "version": "0.1", "options": {}},
             "time_step": self.time_step, "times": self.times,
-            "bodies": [{"name": self.scene["bodies"][0]["name"], "position": column(0), "orientation": column(1),
-                "linear_velocity": column(2), "angular_velocity": column(3)}],
+            "bodies": bodies,
             "contacts": contacts
         })
     }

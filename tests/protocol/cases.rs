@@ -8,13 +8,14 @@ use moreau::gate::{Engine, Options, Refusal};
 use std::time::{Duration, Instant};
 
 /// Short limits: a request has 2 s, a line 1 MiB.
-const LIMITS: Limits = Limits { reply: Duration::from_secs(2), line: 1 << 20, farewell: Duration::from_millis(500) };
+const LIMITS: Limits =
+    Limits { reply: Duration::from_secs(2), start: Duration::from_secs(2), line: 1 << 20, farewell: Duration::from_millis(500) };
 
 /// More than any request may take: reply, farewell and last words, on a machine that has other work as well.
 const PATIENCE: Duration = Duration::from_secs(30);
 
 /// What a misbehaviour must be called; every one of the bundle is listed.
-const CAUSES: [(&str, &[&str]); 31] = [
+const CAUSES: [(&str, &[&str]); 32] = [
     ("hang", &["no reply within 2s"]),
     ("exit", &["ended without a reply", "exit status: 7", "ValueError: no such shape"]),
     ("exit-quietly", &["ended without a reply", "exit status: 0"]),
@@ -28,8 +29,8 @@ const CAUSES: [(&str, &[&str]); 31] = [
     ("empty-line", &["not a reply"]),
     ("wrong-id", &["`id` is"]),
     ("no-id", &["no `id`"]),
-    ("nan", &["not a reply", "NaN"]),
-    ("infinity", &["not a reply", "Infinity"]),
+    ("nan", &["`points[0][0]` is NaN"]),
+    ("infinity", &["`points[0][0]` is Infinity"]),
     ("overflow", &["`points`", "number out of range"]),
     ("null", &["`points`", "null"]),
     ("text", &["`points`", "string \"1\""]),
@@ -43,6 +44,7 @@ const CAUSES: [(&str, &[&str]); 31] = [
     ("ignore-signals", &["no reply within 2s"]),
     ("grandchild-and-hang", &["no reply within 2s", "grandchild"]),
     ("grandchild-and-exit", &["ended without a reply", "exit status: 3", "grandchild"]),
+    ("grandchild-in-its-own-group", &["no reply within 2s", "grandchild"]),
     ("dribble", &["no reply within 2s", "in the middle of the line", "xx"]),
     ("nesting", &["`points`"]),
     ("nesting-without-end", &["no reply within 2s", "[[["]),

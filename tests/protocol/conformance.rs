@@ -22,6 +22,9 @@ const MISTAKES: &[(&str, &[&str], &str)] = &[
     ("millimetres", &["describe/units"], "`mm` is not understood"),
     ("other-unit", &["describe/units"], "in `m/s`: convert it"),
     ("own-law", &["describe/law"], "`bouncy`"),
+    ("shape-twice", &["describe/scenes"], "name each once"),
+    ("no-free-bodies", &["describe/scenes"], "does not name `free`"),
+    ("slab-falls", &["simulate/unmoved"], "whatever touches it"),
     ("no-first-sample", &["simulate/answers"], "`times`: does not start at 0"),
     ("samples-after-step", &["simulate/initial-state", "simulate/gravity", "simulate/orientation"], "before the first step"),
     ("samples-all", &["simulate/sample-every"], "every `sample_every`-th"),
@@ -76,13 +79,15 @@ pub fn all() -> Vec<Trial> {
     }
     for (mistake, words) in WITHOUT_DESCRIPTION {
         trials.push(Trial::test(format!("probes_find_{mistake}"), move || {
-            let found = problems(&probed(mistake));
+            let outcome = probed(mistake);
+            let found = problems(&outcome);
             assert!(found[0].0 == "describe/answers" && found[0].1.contains(words), "{words} is not said: {found:#?}");
             Ok(())
         }));
     }
     trials.push(Trial::test("probes_find_prints-late", || {
-        let found = problems(&probed("prints-late"));
+        let outcome = probed("prints-late");
+        let found = problems(&outcome);
         assert!(found.iter().any(|(name, text)| *name == "line/nothing-else" && text.contains("`done`")), "{found:#?}");
         Ok(())
     }));
@@ -96,16 +101,17 @@ pub fn all() -> Vec<Trial> {
     trials
 }
 
-const LIMITS: Limits = Limits { reply: Duration::from_secs(5), line: 1 << 20, farewell: Duration::from_secs(1) };
+const LIMITS: Limits =
+    Limits { reply: Duration::from_secs(5), start: Duration::from_secs(5), line: 1 << 20, farewell: Duration::from_secs(1) };
 
 fn probed(mistake: &str) -> Conformance {
     conformance(&this_program(&["--adapter", mistake]), LIMITS).expect("it starts and answers")
 }
 
-fn problems(outcome: &Conformance) -> Vec<(&'static str, String)> {
+fn problems(outcome: &Conformance) -> Vec<(&str, String)> {
     let problem = |outcome: &ProbeOutcome| match outcome {
         ProbeOutcome::Problem { why, cure } => Some(format!("{why} / {cure}")),
         _ => None,
     };
-    outcome.probes.iter().filter_map(|probe| problem(&probe.outcome).map(|text| (probe.probe, text))).collect()
+    outcome.probes.iter().filter_map(|probe| problem(&probe.outcome).map(|text| (probe.probe.as_str(), text))).collect()
 }

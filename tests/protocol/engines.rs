@@ -16,7 +16,7 @@ const LONG: Duration = Duration::from_secs(600);
 type Misbehaviour = fn(id: u64);
 
 /// Misbehaviours that the poisoned question brings out, by name.
-const MISBEHAVIOURS: [(&str, Misbehaviour); 31] = [
+const MISBEHAVIOURS: [(&str, Misbehaviour); 32] = [
     ("hang", |_| sleep()),
     ("exit", |_| {
         eprintln!("Traceback (most recent call last):\nValueError: no such shape");
@@ -64,12 +64,16 @@ const MISBEHAVIOURS: [(&str, Misbehaviour); 31] = [
         sleep()
     }),
     ("grandchild-and-hang", |_| {
-        grandchild();
+        grandchild(false);
         sleep()
     }),
     ("grandchild-and-exit", |_| {
-        grandchild();
+        grandchild(false);
         std::process::exit(3)
+    }),
+    ("grandchild-in-its-own-group", |_| {
+        grandchild(true);
+        sleep()
     }),
     ("dribble", |_| {
         loop {
@@ -119,7 +123,7 @@ fn serve(name: &str, file: Option<&str>) {
             ("bye", _) if name == "ignore-bye" => sleep(),
             ("bye", _) => {
                 if name == "leave-grandchild" {
-                    std::fs::write(file.expect("a file for the process number"), grandchild().to_string()).expect("writable");
+                    std::fs::write(file.expect("a file for the process number"), grandchild(false).to_string()).expect("writable");
                 }
                 return result(id, "{}");
             }
@@ -177,10 +181,15 @@ fn sleep() {
     std::thread::sleep(LONG);
 }
 
-/// A process that holds this one's pipes; its number goes to standard error.
+/// A process that holds this one's pipes, perhaps in a group of its own; its number goes to standard error.
 #[expect(clippy::zombie_processes, reason = "leaving it behind is the misbehaviour")]
-fn grandchild() -> u32 {
-    let child = Command::new(std::env::current_exe().expect("known")).args(["--misbehave", "sleep"]).spawn().expect("starts");
+fn grandchild(is_apart: bool) -> u32 {
+    use std::os::unix::process::CommandExt;
+    let mut command = Command::new(std::env::current_exe().expect("known"));
+    if is_apart {
+        command.process_group(0);
+    }
+    let child = command.args(["--misbehave", "sleep"]).spawn().expect("starts");
     eprintln!("grandchild {}", child.id());
     child.id()
 }

@@ -212,15 +212,12 @@ fn body(n: &mut Numbers, k: usize, mass: f64, planar: bool, start: Start, above:
         }
     };
     let body = Body {
-        name: format!("b{k}"),
         sphere,
         cuboid,
-        mass,
-        inertia: None,
-        position,
         orientation,
         linear_velocity: linear,
         angular_velocity: angular,
+        ..Body::sphere(format!("b{k}"), mass, radius, position)
     };
     (body, next)
 }

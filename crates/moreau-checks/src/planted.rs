@@ -65,11 +65,26 @@ pub struct Planted<S> {
 
 impl<S> Planted<S> {
     /// The same mistake under checks that tell by name which of them catch it.
-    pub fn trial<'a>(&'a self, caught_by: impl Fn(&S) -> Result<Vec<String>> + Send + Sync + 'a) -> Trial<'a>
+    pub fn trial<'a>(&'a self, caught_by: impl Fn(&S) -> Result<Vec<Catch>> + Send + Sync + 'a) -> Trial<'a>
     where
         S: Sync,
     {
         Trial { name: self.name, mistake: self.mistake, kind: self.kind, caught_by: Box::new(move || caught_by(&self.subject)) }
+    }
+}
+
+/// A check that catches a planted mistake.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Catch {
+    /// The check, by name.
+    pub check: String,
+    /// The time steps at which it does \[s\]; empty if the check has none.
+    pub time_steps: Vec<f64>,
+}
+
+impl From<&str> for Catch {
+    fn from(check: &str) -> Self {
+        Catch { check: check.into(), time_steps: Vec::new() }
     }
 }
 
@@ -85,7 +100,7 @@ pub struct Trial<'a> {
     ///
     /// # Errors
     /// If a check cannot be computed.
-    pub caught_by: Box<dyn Fn() -> Result<Vec<String>> + Send + Sync + 'a>,
+    pub caught_by: Box<dyn Fn() -> Result<Vec<Catch>> + Send + Sync + 'a>,
 }
 
 /// One check on a subject with a mistake, beside the same check on the right subject.
@@ -102,7 +117,7 @@ pub struct Beside {
 impl Planted<Beside> {
     /// The mistake under its one check.
     pub fn beside(&self) -> Trial<'_> {
-        self.trial(|beside| Ok(Vec::from_iter(fails(&(beside.defective)()?).then(|| beside.check.into()))))
+        self.trial(|beside| Ok(Vec::from_iter(fails(&(beside.defective)()?).then(|| Catch::from(beside.check)))))
     }
 }
 
@@ -129,11 +144,11 @@ impl<S: Sync> Family<S> {
     ///
     /// # Errors
     /// If a check cannot be computed.
-    pub fn failing(&self, subject: &S) -> Result<Vec<String>> {
+    pub fn failing(&self, subject: &S) -> Result<Vec<Catch>> {
         let mut failing = Vec::new();
         for (name, check) in self.checks {
             if fails(&check(subject)?) {
-                failing.push((*name).to_string());
+                failing.push(Catch::from(*name));
             }
         }
         Ok(failing)
@@ -148,7 +163,7 @@ fn fails(findings: &[Finding]) -> bool {
 /// Holds a family to what it promises: the reference passes every check, and every planted mistake fails one.
 #[cfg(test)]
 pub(crate) fn passes<S: Sync>(family: &'static Family<S>) {
-    assert_eq!(family.failing(&family.reference).expect("computed"), Vec::<String>::new());
+    assert_eq!(family.failing(&family.reference).expect("computed"), Vec::new());
     for trial in family.trials() {
         assert!(!(trial.caught_by)().expect("computed").is_empty(), "{} is not caught", trial.name);
     }

@@ -3,13 +3,15 @@
 //! `cargo bench -p moreau-contact --bench sweeps`; with `MOREAU_SWEEPS_CONTACTS=1000000` also on a pile of about that many contacts, with
 //! the certificate of a hundred sweeps. The local step is the exact answer of one contact (closed form where it opens or sticks, Newton's
 //! method from the last multiplier where it slides). The difference of two runs is divided, so that what is done once does not count; the
-//! residual that is measured now and then does.
+//! residual that is measured now and then does. Large piles are swept by one thread and by as many as there are, which give the same bits;
+//! there the time is that of the clock.
 
 use moreau_contact::ContactProblem;
 use moreau_contact::certificate::residuals;
 use moreau_contact::nalgebra::{DMatrix, DVector};
 use moreau_contact::operator::{BlockRows, MatrixFree};
-use moreau_contact::solvers::{ContactSolver, ProjectedGaussSeidel};
+use moreau_contact::solvers::{ContactSolver, ProjectedGaussSeidel, threads};
+use std::num::NonZeroUsize;
 use std::time::Instant;
 
 /// Numbers in \[0, 1\[, the same in every run.
@@ -100,33 +102,72 @@ fn processor_seconds(begun: Instant) -> f64 {
     nanoseconds.map_or_else(|| begun.elapsed().as_secs_f64(), |nanoseconds| nanoseconds * 1e-9)
 }
 
+/// The impulses of so many plain sweeps.
+fn swept(problem: &ContactProblem, sweeps: usize) -> DVector<f64> {
+    ProjectedGaussSeidel { sweeps, tolerance: 0.0, memory: 0 }.solve(problem, None).expect("it sweeps").impulse
+}
+
 /// Seconds of the processor for so many plain sweeps.
 fn seconds(problem: &ContactProblem, sweeps: usize, begun: Instant) -> f64 {
     let before = processor_seconds(begun);
-    ProjectedGaussSeidel { sweeps, tolerance: 0.0, memory: 0 }.solve(problem, None).expect("it sweeps");
+    swept(problem, sweeps);
     processor_seconds(begun) - before
+}
+
+/// Nanoseconds of the clock per contact and sweep, the lesser of two, by one thread and by all; they must give the same bits.
+fn by_threads(problem: &ContactProblem, sweeps: usize) {
+    let all = threads::limit();
+    let mut alone = DVector::zeros(0);
+    for count in [NonZeroUsize::MIN, all] {
+        threads::set_limit(count);
+        let clock = |sweeps: usize| {
+            let begun = Instant::now();
+            swept(problem, sweeps);
+            begun.elapsed().as_secs_f64()
+        };
+        let least = (0..2).map(|_| clock(2 * sweeps) - clock(sweeps)).fold(f64::INFINITY, f64::min);
+        let found = swept(problem, 3);
+        assert!(
+            alone.is_empty() || found.iter().zip(&alone).all(|(one, other): (&f64, &f64)| one.to_bits() == other.to_bits()),
+            "{count} threads"
+        );
+        println!(
+            "{:8} contacts {:8.1} ns per contact and sweep of the clock, {count} of {all} threads",
+            problem.contacts(),
+            least * 1e9 / (sweeps * problem.contacts()) as f64
+        );
+        alone = found;
+    }
+    threads::set_limit(all);
 }
 
 fn main() {
     println!("local step: exact answer of one contact, closed form or Newton from the last multiplier");
-    let begun = Instant::now();
+    let (begun, all) = (Instant::now(), threads::limit());
+    threads::set_limit(NonZeroUsize::MIN);
     for (k, repetitions) in [(2, 1000), (5, 50), (10, 5), (20, 1)] {
         let problem = pile(k);
         // the system tells the time of the processor in steps of a few milliseconds: many solutions at once
-        let all = |sweeps: usize| (0..repetitions).map(|_| seconds(&problem, sweeps, begun)).sum::<f64>();
-        let least = |sweeps: usize| (0..2).map(|_| all(sweeps)).fold(f64::INFINITY, f64::min);
+        let each = |sweeps: usize| (0..repetitions).map(|_| seconds(&problem, sweeps, begun)).sum::<f64>();
+        let least = |sweeps: usize| (0..2).map(|_| each(sweeps)).fold(f64::INFINITY, f64::min);
         let each = (least(200) - least(100)) / (100 * repetitions * problem.contacts()) as f64;
         println!("{:8} contacts {:8.1} ns per contact and sweep", problem.contacts(), each * 1e9);
     }
+    threads::set_limit(all);
+    by_threads(&pile(18), 20);
     let Some(contacts) = std::env::var("MOREAU_SWEEPS_CONTACTS").ok().and_then(|text| text.parse::<f64>().ok()) else { return };
     let made = processor_seconds(begun);
     let problem = pile((contacts / 12.0).cbrt().round() as usize);
     println!("{:8} contacts made in {:.1} s", problem.contacts(), processor_seconds(begun) - made);
-    let (few, hundred) = (seconds(&problem, 20, begun), seconds(&problem, 100, begun));
-    println!("{:8.1} ns per contact and sweep", (hundred - few) * 1e9 / (80 * problem.contacts()) as f64);
-    let before = processor_seconds(begun);
+    by_threads(&problem, 4);
+    threads::set_limit(NonZeroUsize::MIN);
+    let (before, clock) = (processor_seconds(begun), Instant::now());
     let swept = ProjectedGaussSeidel { sweeps: 100, tolerance: 0.0, memory: 0 }.solve(&problem, None).expect("it sweeps");
     let found = residuals(&problem, &swept).expect("sizes fit");
-    let all = processor_seconds(begun) - before;
-    println!("{all:8.1} s for 100 sweeps and their certificate; relative residual {:.1e}", found.judged.relative());
+    let (spent, clock) = (processor_seconds(begun) - before, clock.elapsed().as_secs_f64());
+    println!("{spent:8.1} s ({clock:.1} s of the clock) for 100 sweeps of one thread and their certificate");
+    println!("{:8.1e} relative residual", found.judged.relative());
+    // what the process had at most, where the system tells
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    status.lines().filter(|line| line.starts_with("VmHWM")).for_each(|line| println!("{line}"));
 }

@@ -170,6 +170,23 @@ mod tests {
     }
 
     #[test]
+    fn the_second_body_is_looked_at_as_the_first() {
+        type Change = fn(&mut Trajectory);
+        let mistakes: [(&str, Change); 4] = [
+            ("distance of sample 0", |t| t.bodies[1].position[0][1] += 1.0),
+            ("momentum not accounted for", |t| t.bodies[1].linear_velocity[3][1] += 1.0),
+            ("smallest gap", |t| t.bodies[1].position = t.bodies[0].position.clone()),
+            ("energy above the start", |t| t.bodies[1].linear_velocity[3][1] += 100.0),
+        ];
+        for (name, mistake) in mistakes {
+            let (mut trajectory, description) = ours("two-ball-impact");
+            mistake(&mut trajectory);
+            let found = bad(&trajectory, &description);
+            assert!(found.iter().any(|text| text.starts_with(name)), "{name}: {found:?}");
+        }
+    }
+
+    #[test]
     fn every_planted_mistake_is_named() {
         type Change = fn(&mut Trajectory);
         let mistakes: [(&str, Change); 5] = [

@@ -1,15 +1,15 @@
 //! Baselines: what an engine's gate found once, so that a build fails when something gets worse.
 //!
 //! ```text
-//!     badness of a value   |v − e| (equal),  v (at most),  −v (at least),   e the prediction of the declared law, else the ideal
+//!     badness of a value   |v − e| (equal),  max(0, v − e) (at most),  max(0, e − v) (at least)
+//!                          e the prediction of the declared law, else the ideal
 //!     worse                badness now > badness then + 4.3 · spread + allowance/1024
 //! ```
 //! The file is TOML, made by `--save-baseline` and meant to be read, edited and committed; `known_issue` entries are written by hand.
 
 use crate::tolerance::{NEWS, SPREADS};
-use crate::{CheckOutcome, Measurement, Report, Verdict};
+use crate::{CheckOutcome, Measurement, Report, StepOutcome, Verdict};
 use jiff::civil::Date;
-use moreau_checks::Relation;
 use moreau_contact::files::{read_text, write_atomically};
 use moreau_exact::number::{significant, with_unit};
 use moreau_exact::{Error, Result};
@@ -49,6 +49,18 @@ pub struct Baseline {
 pub struct KnownIssue {
     /// The check, by name.
     pub check: String,
+    /// Only failures of this quantity; of every one without it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub quantity: Option<String>,
+    /// Only failures at this h \[s\], with the digits that reports print; at every one without it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub time_step: Option<f64>,
+    /// Only values from here on.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub least: Option<f64>,
+    /// Only values up to here.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub most: Option<f64>,
     /// Why it is accepted.
     pub reason: String,
     /// The first day on which it is no longer accepted, `2027-01-31`.
@@ -85,6 +97,36 @@ pub struct BaselineValue {
     pub spread: f64,
     /// Its unit.
     pub unit: String,
+}
+
+impl KnownIssue {
+    /// Whether a failing value is the one that is known.
+    fn covers(&self, check: &str, step: Option<f64>, one: &Measurement) -> bool {
+        self.check == check
+            && self.quantity.as_ref().is_none_or(|quantity| *quantity == one.quantity)
+            && self.time_step.is_none_or(|h| step.is_some_and(|step| significant(h) == significant(step)))
+            && self.least.is_none_or(|least| one.value >= least)
+            && self.most.is_none_or(|most| one.value <= most)
+    }
+
+    /// Why it can never hold.
+    fn contradiction(&self) -> Option<String> {
+        let Self { least, most, time_step, .. } = self;
+        if let (Some(least), Some(most)) = (least, most)
+            && least > most
+        {
+            return Some(format!("has least = {least} above most = {most}"));
+        }
+        if [least, most].into_iter().flatten().any(|bound| bound.is_nan()) {
+            return Some("has a bound that is no number".into());
+        }
+        time_step.filter(|h| !(h.is_finite() && *h > 0.0)).map(|h| format!("has the time_step {h}"))
+    }
+
+    /// Whether it speaks of the check as a whole, and so of failures without a value.
+    fn is_general(&self) -> bool {
+        self.quantity.is_none() && self.time_step.is_none() && self.least.is_none() && self.most.is_none()
+    }
 }
 
 /// One difference between a run and its baseline.
@@ -133,6 +175,10 @@ impl Baseline {
         let baseline: Baseline = toml::from_str(&text).map_err(|error| {
             let line = error.span().map_or(String::new(), |span| format!("line {}: ", 1 + text[..span.start].matches('\n').count()));
             let problem = format!("{line}{}", error.message());
+            let wrong = error.span().and_then(|span| text[..span.end].lines().last()).unwrap_or("").trim_start();
+            if wrong.starts_with("expires") {
+                return Error::invalid("known_issue.expires", problem, "write the day as \"2027-01-31\"").in_file(file);
+            }
             Error::invalid("baseline", problem, "make a new one with `moreau gate --save-baseline FILE`").in_file(file)
         })?;
         if baseline.schema != SCHEMA {
@@ -140,6 +186,15 @@ impl Baseline {
             return Err(Error::invalid("schema", problem, format!("this program reads `{SCHEMA}`")).in_file(file));
         }
         for issue in &baseline.known_issues {
+            if let Some(problem) = issue.contradiction() {
+                let problem = format!("of `{}` {problem}: it can never hold", issue.check);
+                return Err(Error::invalid(
+                    "known_issue",
+                    problem,
+                    "bound the values from `least` up to `most`, at a positive `time_step`",
+                )
+                .in_file(file));
+            }
             if crate::checks::find(&issue.check).is_none() {
                 let problem = format!("names the check `{}`, which does not exist", issue.check);
                 return Err(Error::invalid("known_issue", problem, "`moreau gate --list` shows every check").in_file(file));
@@ -180,17 +235,21 @@ impl Baseline {
         }
         let mut changes = Vec::new();
         for now in &report.checks {
-            match self.checks.iter().find(|check| check.name == now.check) {
-                Some(then) => changes.extend(then.compare(now)),
+            let found = match self.checks.iter().find(|check| check.name == now.check) {
+                Some(then) => then.compare(now),
                 None if now.verdict.is_bad() => {
-                    changes.push(change(now, ChangeKind::Regression, "is bad, and the baseline does not have this check".into()))
+                    vec![(change(now, ChangeKind::Regression, "is bad, and the baseline does not have this check".into()), bad(now))]
                 }
-                None => {}
-            }
+                None => Vec::new(),
+            };
+            changes.extend(found.into_iter().map(|(change, values)| self.accepted(change, &values, today)));
         }
-        for change in &mut changes {
-            self.accept(change, today);
-        }
+        let unknown = self.checks.iter().filter(|check| crate::checks::find(&check.name).is_none());
+        changes.extend(unknown.map(|check| Change {
+            check: check.name.clone(),
+            kind: ChangeKind::Regression,
+            what: "is in the baseline, but this gate has no such check: make a new baseline".into(),
+        }));
         Ok(changes)
     }
 
@@ -211,20 +270,37 @@ impl Baseline {
         notes
     }
 
-    /// Turns a regression that is a known issue into one, unless it has expired.
-    fn accept(&self, change: &mut Change, today: Date) {
-        let Some(issue) = self.known_issues.iter().find(|issue| issue.check == change.check) else { return };
+    /// A regression as a known issue, if each of its values is one that has not expired; without values, if the whole check is one.
+    fn accepted(&self, mut change: Change, values: &[Value], today: Date) -> Change {
         if change.kind != ChangeKind::Regression {
-            return;
+            return change;
         }
-        match issue.expires {
-            Some(day) if day <= today => change.what += &format!("; the known issue “{}” expired on {day}", issue.reason),
-            _ => {
-                change.kind = ChangeKind::Known;
-                change.what += &format!("; known: {}", issue.reason);
-            }
+        let of = |known: &dyn Fn(&KnownIssue) -> bool| self.known_issues.iter().filter(|issue| known(issue)).collect::<Vec<_>>();
+        let covering: Vec<Vec<&KnownIssue>> = if values.is_empty() {
+            vec![of(&|issue| issue.check == change.check && issue.is_general())]
+        } else {
+            values.iter().map(|(step, one)| of(&|issue| issue.covers(&change.check, *step, one))).collect()
+        };
+        let expired = |issue: &&&KnownIssue| issue.expires.is_some_and(|day| day <= today);
+        let holding: Vec<Option<&&KnownIssue>> = covering.iter().map(|issues| issues.iter().find(|issue| !expired(issue))).collect();
+        if let Some(Some(first)) = holding.first().filter(|_| holding.iter().all(Option::is_some)) {
+            change.kind = ChangeKind::Known;
+            change.what += &format!("; known: {}", first.reason);
+        } else if let Some(issue) = covering.iter().flatten().find(expired) {
+            let day = issue.expires.map(|day| day.to_string()).unwrap_or_default();
+            change.what += &format!("; the known issue “{}” expired on {day}", issue.reason);
         }
+        change
     }
+}
+
+/// A value with its h.
+type Value<'a> = (Option<f64>, &'a Measurement);
+
+/// The values at which a check is bad.
+fn bad(now: &CheckOutcome) -> Vec<Value<'_>> {
+    let values = now.steps.iter().flat_map(|step| step.measurements.iter().map(|one| (step.time_step, one)));
+    values.filter(|(_, one)| one.verdict().is_bad()).collect()
 }
 
 fn change(now: &CheckOutcome, kind: ChangeKind, what: String) -> Change {
@@ -245,24 +321,40 @@ impl BaselineCheck {
         BaselineCheck { name: outcome.check.clone(), verdict: outcome.verdict, values: values.collect() }
     }
 
-    fn compare(&self, now: &CheckOutcome) -> Vec<Change> {
+    /// What changed, and the values of which it speaks.
+    fn compare<'a>(&self, now: &'a CheckOutcome) -> Vec<(Change, Vec<Value<'a>>)> {
         let words = |verdict: Verdict| verdict.word();
         let mut changes = Vec::new();
         if now.verdict.is_bad() && !self.verdict.is_bad() {
             let reason = now.reason.as_ref().map_or(String::new(), |reason| format!(": {reason}"));
-            changes.push(change(now, ChangeKind::Regression, format!("{} instead of {}{reason}", words(now.verdict), words(self.verdict))));
+            let what = format!("{} instead of {}{reason}", words(now.verdict), words(self.verdict));
+            changes.push((change(now, ChangeKind::Regression, what), bad(now)));
         } else if self.verdict.is_bad() && !now.verdict.is_bad() && now.verdict != Verdict::Unsupported {
-            changes.push(change(now, ChangeKind::Improvement, format!("{} instead of {}", words(now.verdict), words(self.verdict))));
+            let what = format!("{} instead of {}", words(now.verdict), words(self.verdict));
+            changes.push((change(now, ChangeKind::Improvement, what), Vec::new()));
         } else if now.verdict == Verdict::Unsupported && self.verdict != Verdict::Unsupported {
-            changes.push(change(now, ChangeKind::Regression, format!("unsupported instead of {}", words(self.verdict))));
+            changes.push((change(now, ChangeKind::Regression, format!("unsupported instead of {}", words(self.verdict))), Vec::new()));
         }
         for step in &now.steps {
             let known =
                 |one: &Measurement| self.values.iter().find(|then| then.quantity == one.quantity && then.time_step == step.time_step);
             let pairs = step.measurements.iter().filter_map(|one| known(one).map(|then| (one, then)));
-            changes.extend(pairs.filter_map(|(one, then)| then.compare(one)).map(|(kind, what)| change(now, kind, what)));
+            let told = pairs.filter_map(|(one, then)| then.compare(one).map(|(kind, what)| (change(now, kind, what), one)));
+            changes.extend(told.map(|(change, one)| (change, vec![(step.time_step, one)])));
+            if let Some(lost) = self.lost(step).filter(|_| !step.measurements.is_empty() || changes.is_empty()) {
+                changes.push((change(now, ChangeKind::Regression, lost), Vec::new()));
+            }
         }
         changes
+    }
+
+    /// What this time step no longer measures.
+    fn lost(&self, step: &StepOutcome) -> Option<String> {
+        let measured = |then: &&BaselineValue| step.measurements.iter().any(|now| now.quantity == then.quantity);
+        let lost = self.values.iter().filter(|then| then.time_step == step.time_step && !measured(then));
+        let lost: Vec<&str> = lost.map(|then| then.quantity.as_str()).collect();
+        let why = step.reason.as_ref().map_or(String::new(), |reason| format!(": {reason}"));
+        (!lost.is_empty()).then(|| format!("no longer measured{}: {}{why}", at(step.time_step), lost.join(", ")))
     }
 }
 
@@ -270,9 +362,11 @@ impl BaselineValue {
     fn compare(&self, now: &Measurement) -> Option<(ChangeKind, String)> {
         let noise = SPREADS * self.spread.max(now.spread) + NEWS * now.ideal.tolerance;
         let (then_bad, now_bad) = (badness(now, self.value), badness(now, now.value));
-        let at = self.time_step.map_or(String::new(), |h| format!(" at h = {} s", significant(h)));
-        let value = with_unit(&significant(now.value), &now.unit);
-        let numbers = format!("{}{at}: {value} instead of {} (noise {noise:.1e})", now.quantity, significant(self.value));
+        let at = at(self.time_step);
+        // as many digits as tell the two apart
+        let same = significant(now.value) == significant(self.value);
+        let [value, then] = [now.value, self.value].map(|value| if same { format!("{value:e}") } else { significant(value) });
+        let numbers = format!("{}{at}: {} instead of {then} (noise {noise:.1e})", now.quantity, with_unit(&value, &now.unit));
         if !now_bad.is_finite() || now_bad > then_bad + noise {
             return Some((ChangeKind::Regression, format!("worse: {numbers}")));
         }
@@ -280,14 +374,13 @@ impl BaselineValue {
     }
 }
 
-/// How bad a value is, by the expectation that applies: smaller is better.
+fn at(time_step: Option<f64>) -> String {
+    time_step.map_or(String::new(), |h| format!(" at h = {} s", significant(h)))
+}
+
+/// How bad a value is: its distance from the expectation that applies.
 fn badness(measurement: &Measurement, value: f64) -> f64 {
-    let expectation = measurement.model.as_ref().unwrap_or(&measurement.ideal);
-    match expectation.relation {
-        Relation::Equal => (value - expectation.value).abs(),
-        Relation::AtMost => value,
-        Relation::AtLeast => -value,
-    }
+    measurement.model.as_ref().unwrap_or(&measurement.ideal).miss(value)
 }
 
 #[cfg(test)]

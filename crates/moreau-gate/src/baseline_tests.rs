@@ -4,7 +4,7 @@ use super::*;
 use crate::description::{Friction, Precision};
 use crate::{ContactModel, Description, Expectation, Kind, StepOutcome};
 
-const CHECK: &str = "made-up/check";
+const CHECK: &str = "rest/depth";
 
 fn day(text: &str) -> Date {
     text.parse().expect("a day")
@@ -21,10 +21,13 @@ fn report(measurement: Measurement) -> Report {
         reports_contacts: false,
         levels: vec![],
         laws: vec![],
+        shapes: crate::description::ShapeKind::basic(),
+        bodies: crate::description::BodyKind::free(),
+        sleeping: None,
         options: Default::default(),
     };
     let checks = vec![CheckOutcome::new(CHECK, vec![StepOutcome::new(Some(0.5), Ok(vec![measurement]))])];
-    Report { schema: crate::outcome::SCHEMA.into(), engine, sweep: vec![0.5], checks }
+    Report { schema: crate::outcome::SCHEMA.into(), engine, adapter: Vec::new(), sweep: vec![0.5], checks }
 }
 
 /// A value that should be 0 within 1.
@@ -54,12 +57,13 @@ fn a_new_failure_is_a_regression_and_an_old_one_is_not() {
 }
 
 #[test]
-fn bounds_get_worse_towards_the_bound() {
-    let depth = |value| report(Measurement::new("depth", "m", value, Expectation::at_most(1.0, 0.0, "")));
-    let bounce = |value| report(Measurement::new("height", "m", value, Expectation::at_least(1.0, 0.0, "")));
-    assert_eq!(kinds(&depth(0.25), &depth(0.5)), [ChangeKind::Regression]);
-    assert_eq!(kinds(&bounce(3.0), &bounce(2.0)), [ChangeKind::Regression]);
-    assert_eq!(kinds(&bounce(2.0), &bounce(3.0)), [ChangeKind::Improvement]);
+fn what_is_bounded_gets_worse_beyond_its_bound() {
+    let depth = |value| report(Measurement::new("depth", "m", value, Expectation::at_most(1.0, 1.0, "")));
+    let bounce = |value| report(Measurement::new("height", "m", value, Expectation::at_least(1.0, 1.0, "")));
+    assert_eq!(kinds(&depth(1.25), &depth(1.5)), [ChangeKind::Regression]);
+    assert_eq!(kinds(&bounce(0.75), &bounce(0.5)), [ChangeKind::Regression]);
+    assert_eq!(kinds(&bounce(0.5), &bounce(0.75)), [ChangeKind::Improvement]);
+    assert_eq!(kinds(&depth(0.25), &depth(0.5)), [], "neither is on the wrong side");
 }
 
 #[test]
@@ -71,6 +75,43 @@ fn losing_a_check_is_a_regression() {
 }
 
 #[test]
+fn losing_a_quantity_or_a_time_step_is_a_regression_told_once() {
+    let pair = |names: &[&str]| {
+        let one = |name: &&str| Measurement::new(*name, "m", 0.25, Expectation::equal(0.0, 1.0, ""));
+        StepOutcome::new(Some(0.5), Ok(names.iter().map(one).collect()))
+    };
+    let of = |steps: Vec<StepOutcome>| Report { checks: vec![CheckOutcome::new(CHECK, steps)], ..value(0.0, 0.0) };
+    let both = of(vec![pair(&["depth", "speed"])]);
+    let told = |now: &Report| Baseline::of(&both).compare(now, day("2026-11-21")).expect("comparable");
+    assert_eq!(told(&both), []);
+    let changes = told(&of(vec![pair(&["speed"])]));
+    assert_eq!(changes.len(), 1, "{changes:?}");
+    assert_eq!((changes[0].kind, changes[0].what.as_str()), (ChangeKind::Regression, "no longer measured at h = 0.5 s: depth"));
+    assert_eq!(told(&of(vec![pair(&["depth", "speed", "new"])])), [], "more is measured");
+    let refused = StepOutcome::new(Some(0.5), Err(crate::Refusal::unsupported("not at this step")));
+    let beside = Measurement::new("depth", "m", 0.25, Expectation::equal(0.0, 1.0, ""));
+    let mut failing = beside.clone();
+    failing.value = 2.0;
+    let other = |one: Measurement| StepOutcome::new(Some(0.25), Ok(vec![one]));
+    let changes = told(&of(vec![refused.clone(), other(beside)]));
+    assert_eq!(changes.len(), 1, "the verdict says it already: {changes:?}");
+    // a failure at another step hides that nothing is measured here from the worst verdict
+    let was = of(vec![pair(&["depth", "speed"]), other(failing.clone())]);
+    let changes = Baseline::of(&was).compare(&of(vec![refused, other(failing)]), day("2026-11-21")).expect("comparable");
+    assert_eq!(changes.len(), 1, "{changes:?}");
+    assert_eq!(changes[0].what, "no longer measured at h = 0.5 s: depth, speed: not at this step");
+}
+
+#[test]
+fn a_check_that_the_gate_no_longer_has_is_a_regression() {
+    let mut baseline = Baseline::of(&value(0.0, 0.0));
+    baseline.checks[0].name = "rest/forgotten".into();
+    let changes = baseline.compare(&value(0.0, 0.0), day("2026-11-21")).expect("comparable");
+    assert_eq!(changes.len(), 1, "{changes:?}");
+    assert_eq!((changes[0].kind, changes[0].check.as_str()), (ChangeKind::Regression, "rest/forgotten"));
+}
+
+#[test]
 fn a_failure_of_a_check_that_the_baseline_lacks_is_a_regression() {
     let mut baseline = Baseline::of(&value(0.0, 0.0));
     baseline.checks.clear();
@@ -78,10 +119,80 @@ fn a_failure_of_a_check_that_the_baseline_lacks_is_a_regression() {
     assert_eq!((kinds(&value(0.5, 0.0)), kinds(&value(1.5, 0.0))), (0, 1));
 }
 
+/// The whole check is known to be bad.
+fn known() -> KnownIssue {
+    KnownIssue { check: CHECK.into(), quantity: None, time_step: None, least: None, most: None, reason: "issue 7".into(), expires: None }
+}
+
+#[test]
+fn a_known_issue_covers_its_quantity_step_and_values_and_nothing_else() {
+    let mut baseline = Baseline::of(&value(0.5, 0.0));
+    let of_error = |step: f64, least: f64, most: f64| KnownIssue {
+        quantity: Some("error".into()),
+        time_step: Some(step),
+        least: Some(least),
+        most: Some(most),
+        ..known()
+    };
+    for (issue, accepted) in [
+        (of_error(0.5, 1.0, 2.0), true),
+        (of_error(0.5, 1.5, 1.5), true),
+        (of_error(0.25, 1.0, 2.0), false),
+        (of_error(0.5, 1.6, 2.0), false),
+        (of_error(0.5, 1.0, 1.4), false),
+        (KnownIssue { quantity: Some("another".into()), ..known() }, false),
+        (KnownIssue { check: "another/check".into(), ..known() }, false),
+    ] {
+        baseline.known_issues = vec![issue.clone()];
+        let changes = baseline.compare(&value(1.5, 0.0), day("2026-11-21")).expect("comparable");
+        assert_eq!(changes.len(), 2, "the verdict and the value: {changes:?}");
+        assert!(changes.iter().all(|change| (change.kind == ChangeKind::Known) == accepted), "{issue:?}: {changes:?}");
+    }
+    // a crash is not the failure that is known
+    baseline.known_issues = vec![of_error(0.5, 1.0, 2.0)];
+    let mut crashed = value(0.5, 0.0);
+    crashed.checks = vec![CheckOutcome::new(CHECK, vec![StepOutcome::new(Some(0.5), Err(crate::Refusal::errored("crashed")))])];
+    let changes = baseline.compare(&crashed, day("2026-11-21")).expect("comparable");
+    assert_eq!(changes.iter().map(|change| change.kind).collect::<Vec<_>>(), [ChangeKind::Regression]);
+}
+
+#[test]
+fn two_values_that_are_told_apart_by_many_digits_only_are_told_with_them() {
+    let changes = Baseline::of(&value(1.0, 0.0)).compare(&value(1.001_000_01, 0.0), day("2026-11-21")).expect("comparable");
+    assert!(changes.iter().any(|change| change.what.contains("1.001 m instead of 1")), "{changes:?}");
+    let tight = |value| report(Measurement::new("error", "m", value, Expectation::equal(0.0, 1e-9, "")));
+    let changes = Baseline::of(&tight(1.0)).compare(&tight(1.000_000_01), day("2026-11-21")).expect("comparable");
+    assert!(changes[0].what.contains("1.00000001e0 m instead of 1e0"), "{changes:?}");
+}
+
+#[test]
+fn a_day_that_is_none_is_named_and_no_new_file_is_advised() {
+    let file = std::env::temp_dir().join(format!("moreau-baseline-{}.toml", std::process::id()));
+    let mut baseline = Baseline::of(&value(0.5, 0.0));
+    baseline.known_issues = vec![KnownIssue { check: "ball/restitution".into(), expires: Some(day("2027-01-31")), ..known() }];
+    let text = baseline.to_toml().expect("writable").replace("2027-01-31", "2027-02-31");
+    std::fs::write(&file, text).expect("a writable folder");
+    let told = Baseline::read(&file).expect_err("no such day").to_string();
+    std::fs::remove_file(&file).expect("removable");
+    assert!(told.contains("known_issue.expires") && told.contains("2027-01-31") && !told.contains("--save-baseline"), "{told}");
+}
+
+#[test]
+fn a_known_issue_names_its_step_as_reports_print_it_and_one_that_can_never_hold_is_refused() {
+    let at = |time_step: f64| KnownIssue { time_step: Some(time_step), ..known() };
+    let one = Measurement::new("error", "m", 1.5, Expectation::equal(0.0, 1.0, ""));
+    assert!(at(0.0166667).covers(CHECK, Some(1.0 / 60.0), &one) && !at(0.01667).covers(CHECK, Some(1.0 / 60.0), &one));
+    let bounded = |least: f64, most: f64| KnownIssue { least: Some(least), most: Some(most), ..known() };
+    for (issue, words) in [(bounded(2.0, 1.0), "least"), (bounded(0.0, f64::NAN), "no number"), (at(-1.0), "time_step")] {
+        assert!(issue.contradiction().is_some_and(|problem| problem.contains(words)), "{issue:?}");
+    }
+    assert!(bounded(1.0, 1.0).contradiction().is_none() && at(0.5).contradiction().is_none() && known().contradiction().is_none());
+}
+
 #[test]
 fn a_known_issue_is_accepted_until_its_day() {
     let mut baseline = Baseline::of(&value(0.5, 0.0));
-    let known = |expires| KnownIssue { check: CHECK.into(), reason: "issue 7".into(), expires };
+    let known = |expires| KnownIssue { expires, ..known() };
     let bad = value(1.5, 0.0);
     for (issue, today, accepted) in [
         (known(None), "2026-11-21", true),
@@ -110,7 +221,8 @@ fn another_engine_or_sweep_cannot_be_compared() {
 fn a_baseline_survives_its_file() {
     let mut baseline = Baseline::of(&value(0.1 + 0.2, 1.0 / 3.0));
     let expires = Some(day("2027-01-31"));
-    baseline.known_issues = vec![KnownIssue { check: "ball/restitution".into(), reason: "“quoted”".into(), expires }];
+    let bounded = KnownIssue { quantity: Some("v".into()), time_step: Some(0.1), least: Some(0.0), most: Some(1.0), ..known() };
+    baseline.known_issues = vec![KnownIssue { check: "ball/restitution".into(), reason: "“quoted”".into(), expires, ..bounded }];
     let text = baseline.to_toml().expect("writable");
     assert_eq!(toml::from_str::<Baseline>(&text).expect("readable"), baseline, "{text}");
 }

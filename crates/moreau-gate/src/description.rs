@@ -1,5 +1,6 @@
 //! Who an engine is and which contact model it declares: the result of `describe`.
 
+use moreau_dynamics::scenes::{Body, Scene};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -44,9 +45,125 @@ pub struct Description {
     /// At level `solve`: the laws the solver takes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub laws: Vec<String>,
+    /// The shapes that scenes may have; spheres and boxes where it is not said.
+    #[serde(default = "ShapeKind::basic", skip_serializing_if = "is_basic")]
+    pub shapes: Vec<ShapeKind>,
+    /// The kinds of bodies that scenes may have; free ones where it is not said.
+    #[serde(default = "BodyKind::free", skip_serializing_if = "are_free")]
+    pub bodies: Vec<BodyKind>,
+    /// The option that lets bodies sleep which have come to rest; the engine has no such thing where it is not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sleeping: Option<String>,
     /// Every other setting that can be chosen, with the value that the engine uses.
     #[serde(default)]
     pub options: Options,
+}
+
+/// A shape of `scene/1`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ShapeKind {
+    /// `sphere`.
+    Sphere,
+    /// `box`.
+    Box,
+    /// `capsule`.
+    Capsule,
+    /// `cylinder`.
+    Cylinder,
+}
+
+impl ShapeKind {
+    /// Every shape of the format.
+    pub const ALL: [ShapeKind; 4] = [ShapeKind::Sphere, ShapeKind::Box, ShapeKind::Capsule, ShapeKind::Cylinder];
+
+    /// The shapes of the first engines.
+    pub fn basic() -> Vec<ShapeKind> {
+        vec![ShapeKind::Sphere, ShapeKind::Box]
+    }
+
+    /// The shape of a body; that of a valid scene is unique.
+    pub fn of(body: &Body) -> ShapeKind {
+        let shapes = [
+            (body.sphere.is_some(), ShapeKind::Sphere),
+            (body.capsule.is_some(), ShapeKind::Capsule),
+            (body.cylinder.is_some(), ShapeKind::Cylinder),
+        ];
+        shapes.into_iter().find(|(has, _)| *has).map_or(ShapeKind::Box, |(_, shape)| shape)
+    }
+
+    /// Its word in files.
+    pub fn word(self) -> &'static str {
+        match self {
+            ShapeKind::Sphere => "sphere",
+            ShapeKind::Box => "box",
+            ShapeKind::Capsule => "capsule",
+            ShapeKind::Cylinder => "cylinder",
+        }
+    }
+}
+
+/// What moves a body of `scene/1`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum BodyKind {
+    /// Forces and impulses.
+    Free,
+    /// Nothing.
+    Static,
+    /// Its prescribed velocity, and nothing else.
+    Prescribed,
+}
+
+impl BodyKind {
+    /// Every kind of the format.
+    pub const ALL: [BodyKind; 3] = [BodyKind::Free, BodyKind::Static, BodyKind::Prescribed];
+
+    /// The bodies of the first engines.
+    pub fn free() -> Vec<BodyKind> {
+        vec![BodyKind::Free]
+    }
+
+    /// The kind of a body.
+    pub fn of(body: &Body) -> BodyKind {
+        match (body.is_static, &body.prescribed) {
+            (true, _) => BodyKind::Static,
+            (false, Some(_)) => BodyKind::Prescribed,
+            (false, None) => BodyKind::Free,
+        }
+    }
+
+    /// Its word in files.
+    pub fn word(self) -> &'static str {
+        match self {
+            BodyKind::Free => "free",
+            BodyKind::Static => "static",
+            BodyKind::Prescribed => "prescribed",
+        }
+    }
+}
+
+fn is_basic(shapes: &[ShapeKind]) -> bool {
+    shapes == ShapeKind::basic()
+}
+
+fn are_free(bodies: &[BodyKind]) -> bool {
+    bodies == BodyKind::free()
+}
+
+impl Description {
+    /// Why a scene is not sent to this engine: it has what the engine does not declare.
+    pub fn lacks(&self, scene: &Scene) -> Option<String> {
+        let lacking = |body: &Body| {
+            let (shape, kind) = (ShapeKind::of(body), BodyKind::of(body));
+            if !self.shapes.contains(&shape) {
+                return Some(format!("the engine does not declare the shape `{}` (`shapes` of its description)", shape.word()));
+            }
+            (!self.bodies.contains(&kind))
+                .then(|| format!("the engine does not declare that bodies may be `{}` (`bodies` of its description)", kind.word()))
+        };
+        scene.bodies.iter().find_map(lacking)
+    }
 }
 
 /// Floating-point precision of the engine's arithmetic.

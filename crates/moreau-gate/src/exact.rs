@@ -1,6 +1,6 @@
 //! An engine that answers with a motion in closed form: what a check must pass before anything else.
 
-use crate::description::{Friction, Precision};
+use crate::description::{BodyKind, Friction, Precision, ShapeKind};
 use crate::{ContactModel, Description, Engine, Kind, Level, Options, Reply};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::trajectory::{BodyTrack, Trajectory};
@@ -26,6 +26,9 @@ impl<F: Fn(&Scene, usize, f64, f64) -> RigidState + Send> Engine for Exact<F> {
             reports_contacts: false,
             levels: vec![Level::Simulate],
             laws: Vec::new(),
+            shapes: ShapeKind::ALL.to_vec(),
+            bodies: BodyKind::ALL.to_vec(),
+            sleeping: None,
             options: Options::new(),
         })
     }

@@ -7,6 +7,8 @@
 //! the checks cannot tell. A check measures; what it measures is held against the ideal (Coulomb–Signorini, with the discretisation
 //! error derived for this h) and against what the engine's own declared law predicts.
 
+#[cfg(test)]
+mod absurd_tests;
 pub mod audit;
 pub mod baseline;
 pub mod bench;

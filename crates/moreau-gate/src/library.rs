@@ -48,7 +48,7 @@ impl Library {
 
 /// What can be said of an engine that did not describe itself: it is held to Coulomb–Signorini.
 fn undeclared(first: &Trajectory, all: &[Trajectory]) -> Description {
-    use crate::description::{Friction, Precision};
+    use crate::description::{BodyKind, Friction, Precision, ShapeKind};
     Description {
         name: first.engine.name.clone(),
         version: first.engine.version.clone(),
@@ -59,6 +59,9 @@ fn undeclared(first: &Trajectory, all: &[Trajectory]) -> Description {
         reports_contacts: all.iter().any(|trajectory| !trajectory.contacts.is_empty()),
         levels: vec![crate::Level::Simulate],
         laws: Vec::new(),
+        shapes: ShapeKind::ALL.to_vec(),
+        bodies: BodyKind::ALL.to_vec(),
+        sleeping: None,
         options: first.engine.options.clone(),
     }
 }

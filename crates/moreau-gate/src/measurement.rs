@@ -117,6 +117,15 @@ mod tests {
     }
 
     #[test]
+    fn what_remains_is_what_the_declared_law_leaves_and_without_one_what_the_ideal_leaves() {
+        let ideal = Expectation::equal(0.0, 0.25, "ideal");
+        let plain = Measurement::new("x", "m", 1.25, ideal);
+        let lawful = plain.clone().predicted(Some(Expectation::equal(1.0, 0.25, "law")));
+        assert_eq!((plain.modelling_error(), plain.remainder()), (0.0, 1.25));
+        assert_eq!((lawful.modelling_error(), lawful.remainder()), (1.0, 0.25));
+    }
+
+    #[test]
     fn what_is_not_finite_never_passes() {
         assert_eq!(measured(f64::NAN, None), Verdict::Fail);
         assert_eq!(measured(f64::INFINITY, None), Verdict::Fail);

@@ -1,5 +1,6 @@
 //! What the gate reports: every check at every time step, with verdicts that can be compared with a baseline.
 
+use crate::conformance::Probe;
 pub use crate::step_outcome::StepOutcome;
 use crate::{Description, Verdict};
 use schemars::JsonSchema;
@@ -16,6 +17,9 @@ pub struct Report {
     pub schema: String,
     /// The engine's own description.
     pub engine: Description,
+    /// What the probes of `moreau protocol-check` find wrong with what the engine reports of motions and contacts.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub adapter: Vec<Probe>,
     /// The time steps of the sweep \[s\].
     pub sweep: Vec<f64>,
     /// One outcome per check, in the order of the registry.
@@ -57,6 +61,13 @@ impl Report {
     /// Whether any check is bad.
     pub fn is_bad(&self) -> bool {
         self.checks.iter().any(|check| check.verdict.is_bad())
+    }
+
+    /// The adapter's mistakes that may explain why a check is bad: those about contacts for a check of impulses, the others for every one.
+    pub fn explaining(&self, outcome: &CheckOutcome) -> impl Iterator<Item = &Probe> {
+        let is_bad = outcome.verdict.is_bad();
+        let of_impulses = outcome.check.starts_with("contact/") || outcome.check.ends_with("/momentum");
+        self.adapter.iter().filter(move |probe| is_bad && (of_impulses || !probe.probe.starts_with("contacts/")))
     }
 
     /// How many checks have this verdict.

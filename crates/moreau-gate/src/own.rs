@@ -1,6 +1,6 @@
 //! Our own schemes behind the engine's door: rigid bodies in space, one scheme, one solver, nothing else.
 
-use crate::description::{Friction, OneOrMany, Precision};
+use crate::description::{BodyKind, Friction, OneOrMany, Precision, ShapeKind};
 use crate::tolerance::SAME_TIME;
 use crate::{ContactModel, Description, Engine, Kind, Level, Options, Parameter, Refusal, Reply};
 use moreau_contact::certificate::{Judgement, StepResidual};
@@ -193,6 +193,9 @@ impl Engine for OwnEngine {
             reports_contacts: true,
             levels: vec![Level::Simulate, Level::Solve, Level::Project],
             laws: laws(solver.as_ref()),
+            shapes: ShapeKind::ALL.to_vec(),
+            bodies: BodyKind::ALL.to_vec(),
+            sleeping: None,
             options: engine.chosen(),
         })
     }

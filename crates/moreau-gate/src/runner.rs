@@ -7,15 +7,17 @@
 //! name of the check, and nothing is said of the engine.
 
 use crate::guarded::Guarded;
+use crate::process::deadline::timed;
 use crate::{
     Bench, Check, CheckOutcome, Description, Engine, Level, Measurement, Options, Refusal, Reply, Report, Run, StepOutcome, outcome,
 };
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
 
 /// The time steps of the default sweep \[s\].
-pub const SWEEP: [f64; 8] = [1.0 / 60.0, 0.01, 1.0 / 120.0, 1.0 / 240.0, 0.003, 0.001, 0.0003, 0.0001];
+pub const SWEEP: [f64; 9] = [1.0 / 30.0, 1.0 / 60.0, 0.01, 1.0 / 120.0, 1.0 / 240.0, 0.003, 0.001, 0.0003, 0.0001];
 
 /// The time steps of the quick sweep \[s\].
 pub const QUICK: [f64; 3] = [1.0 / 60.0, 1.0 / 240.0, 0.001];
@@ -58,17 +60,39 @@ struct Task {
 /// # Panics
 /// If a check panics, with its name: the mistake is the check's.
 pub fn run(make: &(dyn Fn() -> Box<dyn Engine> + Sync), plan: &Plan) -> Reply<Report> {
+    run_watched(make, plan, &|_, _, _| {})
+}
+
+/// [`run`] with an ear for every check that is finished: the report so far, where the checks to come are errored, the name of the
+/// finished check, and the time that its measurements took. It hears one check at a time.
+///
+/// # Errors
+/// Those of [`run`].
+///
+/// # Panics
+/// As [`run`].
+pub fn run_watched(
+    make: &(dyn Fn() -> Box<dyn Engine> + Sync),
+    plan: &Plan,
+    watch: &(dyn Fn(&Report, &'static str, Duration) + Sync),
+) -> Reply<Report> {
     let description = Guarded::new(make).describe(&plan.options)?;
     let tasks = tasks(&plan.checks, &plan.sweep);
-    let (next, answers) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
+    let (next, answers) = (AtomicUsize::new(0), Mutex::new(vec![None; tasks.len()]));
     std::thread::scope(|scope| {
         let work = || {
             let mut engine = Guarded::new(make);
             loop {
                 let index = next.fetch_add(1, Ordering::Relaxed);
                 let Some(task) = tasks.get(index) else { return };
-                let answer = measure(&mut engine, &description, plan, *task);
-                answers.lock().unwrap_or_else(std::sync::PoisonError::into_inner).push((index, answer));
+                let answer = timed(|| measure(&mut engine, &description, plan, *task));
+                let mut answers = answers.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+                answers[index] = Some(answer);
+                let of_check = tasks.iter().zip(answers.iter()).filter(|(other, _)| other.check.name == task.check.name);
+                let times: Option<Vec<Duration>> = of_check.map(|(_, answer)| answer.as_ref().map(|(_, time)| *time)).collect();
+                if let Some(times) = times {
+                    watch(&so_far(&description, plan, &answers), task.check.name, times.iter().sum());
+                }
             }
         };
         let workers: Vec<_> = (0..plan.jobs.clamp(1, tasks.len().max(1))).map(|_| scope.spawn(work)).collect();
@@ -76,10 +100,15 @@ pub fn run(make: &(dyn Fn() -> Box<dyn Engine> + Sync), plan: &Plan) -> Reply<Re
             worker.join().unwrap_or_else(|panic| resume_unwind(panic));
         }
     });
-    let mut answers = answers.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-    answers.sort_by_key(|(index, _)| *index);
-    let steps = answers.into_iter().map(|(_, step)| step).collect();
-    Ok(assemble(description, plan, steps))
+    let answers = answers.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    Ok(so_far(&description, plan, &answers))
+}
+
+/// The report of the answers there are.
+fn so_far(description: &Description, plan: &Plan, answers: &[Option<(StepOutcome, Duration)>]) -> Report {
+    let to_come = || StepOutcome::new(None, Err(Refusal::errored("the run has not come to the end of this check")));
+    let steps = answers.iter().map(|answer| answer.as_ref().map_or_else(to_come, |(step, _)| step.clone()));
+    assemble(description.clone(), plan, steps.collect())
 }
 
 /// The tasks of the checks, in the order of the report.
@@ -151,7 +180,7 @@ fn assemble(engine: Description, plan: &Plan, mut steps: Vec<StepOutcome>) -> Re
         outcomes.push(CheckOutcome::new(check.name, steps));
         steps = rest;
     }
-    Report { schema: outcome::SCHEMA.into(), engine, sweep: plan.sweep.clone(), checks: outcomes }
+    Report { schema: outcome::SCHEMA.into(), engine, adapter: Vec::new(), sweep: plan.sweep.clone(), checks: outcomes }
 }
 
 #[cfg(test)]

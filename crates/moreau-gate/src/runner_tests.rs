@@ -25,6 +25,9 @@ impl Engine for Toy {
             reports_contacts: false,
             levels: vec![Level::Solve],
             laws: vec![],
+            shapes: crate::description::ShapeKind::basic(),
+            bodies: crate::description::BodyKind::free(),
+            sleeping: None,
             options: options.clone(),
         })
     }
@@ -105,6 +108,27 @@ fn an_engine_that_panics_when_it_is_made_cannot_be_run() {
 fn the_number_of_jobs_changes_nothing() {
     assert_eq!(report(1), report(2));
     assert_eq!(report(1), report(50));
+}
+
+#[test]
+fn whoever_watches_hears_of_every_check_when_it_is_finished_and_what_is_to_come_is_errored() {
+    for jobs in [1, 3] {
+        let plan =
+            Plan { checks: vec![&STEP, &ONCE], sweep: vec![0.05, 0.01], options: Options::new(), jobs, repeats: 1, progress: &|| {} };
+        let heard = Mutex::new(Vec::new());
+        let watch = |report: &Report, name: &'static str, _: Duration| {
+            let finished = report.checks.iter().find(|outcome| outcome.check == name).expect("a check of the plan");
+            assert_eq!(finished.verdict, Verdict::Pass);
+            let mut heard = heard.lock().unwrap();
+            heard.push(name);
+            assert_eq!(report.count(Verdict::Errored), 2 - heard.len(), "a run that is cut short must not look like one that passed");
+        };
+        let report = run_watched(&|| Box::new(Toy), &plan, &watch).expect("describes itself");
+        assert_eq!(report.count(Verdict::Pass), 2);
+        let mut heard = heard.into_inner().unwrap();
+        heard.sort_unstable();
+        assert_eq!(heard, ["toy/once", "toy/step"]);
+    }
 }
 
 #[test]

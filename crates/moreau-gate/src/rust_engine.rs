@@ -2,7 +2,7 @@
 //!
 //! ```
 //! use moreau_gate::{ContactModel, Description, Engine, Kind, Level, Options, Reply};
-//! use moreau_gate::description::{Friction, Precision};
+//! use moreau_gate::description::{BodyKind, Friction, Precision, ShapeKind};
 //!
 //! /// A library of cone projections; a simulator implements [`Engine::simulate`] in the same way.
 //! #[derive(Default)]
@@ -20,6 +20,9 @@
 //!             reports_contacts: false,
 //!             levels: vec![Level::Project],
 //!             laws: vec![],
+//!             shapes: ShapeKind::basic(),
+//!             bodies: BodyKind::free(),
+//!             sleeping: None,
 //!             options: Options::new(),
 //!         })
 //!     }
@@ -126,6 +129,7 @@ macro_rules! gate_tests {
             contact_dissipation "contact/dissipation"
             contact_increment "contact/increment"
             contact_momentum "contact/momentum"
+            contact_pairs "contact/pairs"
             energy_passive "energy/passive"
             rocking_impact "rocking/impact"
             rocking_fall_time "rocking/fall-time"
@@ -136,6 +140,37 @@ macro_rules! gate_tests {
             tumbling_depth "tumbling/depth"
             tumbling_momentum "tumbling/momentum"
             tumbling_rest "tumbling/rest"
+            spin_free_sphere "spin/free-sphere"
+            spin_drilling "spin/drilling"
+            spin_flat_box "spin/flat-box"
+            spin_gyroscopic "spin/gyroscopic"
+            limits_fast "limits/fast"
+            limits_stick "limits/stick"
+            bounce_flat_box "bounce/flat-box"
+            bounce_corner "bounce/corner"
+            bounce_slow "bounce/slow"
+            bounce_every_step "bounce/every-step"
+            bounce_spinning_ball "bounce/spinning-ball"
+            bounce_separating "bounce/separating"
+            pair_oblique_spheres "pair/oblique-spheres"
+            pair_crossed_bars "pair/crossed-bars"
+            pair_ball_on_box "pair/ball-on-box"
+            pair_material_pairs "pair/material-pairs"
+            pair_any_direction "pair/any-direction"
+            pair_woken "pair/woken"
+            pair_held "pair/held"
+            pair_plank_on_plank "pair/plank-on-plank"
+            pair_central "pair/central"
+            pair_off_centre "pair/off-centre"
+            pair_rough_corner "pair/rough-corner"
+            fixed_bounce "fixed/bounce"
+            fixed_rest "fixed/rest"
+            conveyor_box "conveyor/box"
+            conveyor_sphere "conveyor/sphere"
+            round_cylinder_incline "round/cylinder-incline"
+            round_capsule_incline "round/capsule-incline"
+            round_standing "round/standing"
+            round_struck "round/struck"
         }
     };
     ($engine:ty; $($function:ident $name:literal)*) => {

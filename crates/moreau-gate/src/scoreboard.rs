@@ -97,6 +97,20 @@ impl Standing {
         folder.join(format!("{name}.json"))
     }
 
+    /// The standing with what another one found by checks that this one did not run, if the engine is the same; in the order of the
+    /// registry.
+    pub fn beside(mut self, other: Option<Standing>) -> Standing {
+        let Some(report) = &mut self.report else { return self };
+        let same = |one: &Report| one.engine.version == report.engine.version && one.sweep == report.sweep;
+        if let Some(other) = other.and_then(|other| other.report).filter(same) {
+            let ran: Vec<String> = report.checks.iter().map(|outcome| outcome.check.clone()).collect();
+            report.checks.extend(other.checks.into_iter().filter(|outcome| !ran.contains(&outcome.check)));
+            let place = |outcome: &crate::CheckOutcome| crate::checks::all().position(|check| check.name == outcome.check);
+            report.checks.sort_by_key(|outcome| place(outcome).unwrap_or(usize::MAX));
+        }
+        self
+    }
+
     /// Stores the standing in a folder, whole or not at all.
     ///
     /// # Errors

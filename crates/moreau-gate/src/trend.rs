@@ -9,6 +9,7 @@
 use crate::tolerance::CONSTANT_ORDER;
 use crate::{StepOutcome, Verdict};
 use moreau_dynamics::trajectory::order::{Refinement, fit_order};
+use moreau_exact::number::significant;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -23,6 +24,9 @@ pub struct Trend {
     pub spread: f64,
     /// Where the deviation comes from.
     pub cause: Origin,
+    /// The largest step \[s\] at which it is more than a sound discretisation may make, and how many times that; absent if it nowhere is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub excess: Option<[f64; 2]>,
 }
 
 /// Where a deviation comes from, by its dependence on h.
@@ -67,18 +71,30 @@ fn trend(quantity: &str, steps: &[StepOutcome]) -> Option<Trend> {
     } else {
         Origin::Irregular
     };
-    Some(Trend { quantity: quantity.into(), order: fit.slope, spread: fit.spread, cause })
+    Some(Trend { quantity: quantity.into(), order: fit.slope, spread: fit.spread, cause, excess: excess(quantity, steps) })
+}
+
+/// [h, deviation/allowance] of the largest step at which the quantity fails.
+fn excess(quantity: &str, steps: &[StepOutcome]) -> Option<[f64; 2]> {
+    let failing = |step: &StepOutcome| {
+        let one = step.measurements.iter().find(|one| one.quantity == quantity && one.verdict() == Verdict::Fail)?;
+        let expectation = one.model.as_ref().unwrap_or(&one.ideal);
+        Some([step.time_step?, expectation.miss(one.value) / expectation.tolerance])
+    };
+    steps.iter().filter_map(failing).max_by(|a, b| a[0].total_cmp(&b[0]))
 }
 
 impl std::fmt::Display for Trend {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self.cause {
-            Origin::Model => write!(f, "{}: independent of h (order {:.2}), so it is the model", self.quantity, self.order),
+            Origin::Model => write!(f, "{}: independent of h (order {:.2}), as an error of the model is", self.quantity, self.order),
             Origin::Discretisation => {
-                write!(f, "{}: vanishes with h (order {:.2}), so it is the discretisation", self.quantity, self.order)
+                write!(f, "{}: vanishes with h (order {:.2}), as an error of the discretisation does", self.quantity, self.order)
             }
             Origin::Irregular => write!(f, "{}: irregular in h (order {:.2}, spread {:.2})", self.quantity, self.order, self.spread),
-        }
+        }?;
+        let Some([h, times]) = self.excess else { return Ok(()) };
+        write!(f, "; at h = {} s it is {} times what is allowed there", significant(h), significant(times))
     }
 }
 
@@ -90,6 +106,15 @@ mod tests {
     fn cause(value: fn(f64) -> f64) -> Option<Origin> {
         let step = |h: f64| StepOutcome::new(Some(h), Ok(vec![Measurement::new("x", "m", value(h), Expectation::equal(0.0, 0.0, ""))]));
         trends(&[0.1, 0.01, 0.001].map(step)).first().map(|trend| trend.cause)
+    }
+
+    #[test]
+    fn no_cause_stands_beside_a_failure_without_how_far_it_is_from_what_is_allowed() {
+        let step = |h: f64| StepOutcome::new(Some(h), Ok(vec![Measurement::new("x", "m", 3.0 * h, Expectation::equal(0.0, h.sqrt(), ""))]));
+        let told = |steps: [f64; 3]| trends(&steps.map(step)).first().map(ToString::to_string);
+        let text = told([0.25, 0.01, 0.001]).expect("fails at the largest step");
+        assert!(text.contains("order 1.00") && text.ends_with("; at h = 0.25 s it is 1.5 times what is allowed there"), "{text}");
+        assert_eq!(told([0.1, 0.01, 0.001]), None);
     }
 
     #[test]

@@ -10,6 +10,7 @@ use crate::certificate::residuals;
 use crate::claims::prelude::*;
 use crate::problem::{ContactProblem, Law};
 use crate::solvers::{AlternatingDirections, ContactSolver, LemkePivoting, ProjectedGaussSeidel};
+use crate::tolerance::certificate::JAMMED;
 use crate::tolerance::claims::pathology as tolerance;
 use crate::tolerance::cli::CERTIFY;
 use crate::tolerance::solvers::STOP;
@@ -28,7 +29,7 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
         indifferent to both, and ADMM solves them. Large μ makes pyramidal (edge) formulations ill-conditioned, cond = μ², and so does \
         small μ; a contact solved \
         as a cone needs one sweep at every μ. (TAMSI was removed from Drake in 1.57.)",
-    argument: "Two bodies under gravity, m₂/m₁ = 10, 100, 1000: sweeps as predicted by q = m₂/(m₁+m₂), 266, 2323 and 20828; Lemke: \
+    argument: "Two bodies under gravity, m₂/m₁ = 10, 100, 1000: sweeps as predicted by q = m₂/(m₁+m₂), 266, 2323 and 20829; Lemke: \
         3 pivots each time; ADMM solves all to the certificate. Exchanged masses: 12, 7, 5. cond(W) at 1000: 4002, exchanged 1002. One \
         contact in edges: cond = μ², and 613 sweeps for μ = 10 as 596 for 1/10; as a cone under Coulomb's and the associated law: one \
         sweep for μ = √10 … √1000. SAP and TAMSI were not run.",
@@ -77,10 +78,11 @@ fn sweeps(problem: &ContactProblem) -> Result<f64> {
     Ok(ProjectedGaussSeidel::default().solve(problem, None)?.iterations as f64)
 }
 
-/// Sweeps until |u₁| = qᵏ meets ρ₁|u₁| ≤ STOP·r₁ with ρ₁ = m₁ and r₁ = m₁ + m₂: each contact is of two bodies of its own.
+/// Sweeps until |u₁| = qᵏ meets ρ₁|u₁| ≤ STOP·s₁ with ρ₁ = m₁ and s₁ = r₁ = m₁ + m₂, at most 10³ ρ₁|u_free|: each contact is of two bodies
+/// of its own.
 fn predicted_for_bodies(below: f64, above: f64) -> f64 {
     let q = above / (below + above);
-    ((STOP * (below + above) / below).ln() / q.ln()).ceil()
+    ((STOP * ((below + above) / below).min(JAMMED)).ln() / q.ln()).ceil()
 }
 
 /// Sweeps until |u₁| = |c/a|²ᵏ⁻¹ (1 − c/a) meets |u₁|/a ≤ STOP·max(½, 1/a), a = 1 + μ², c = 1 − μ², r = (½, ½).

@@ -50,6 +50,12 @@ pub struct Arguments {
     /// Seconds an engine may take for one request.
     #[arg(long, value_name = "SECONDS", default_value_t = 60.0, allow_hyphen_values = true)]
     pub time_limit: f64,
+    /// Seconds an engine may take from its start to its first reply, for one that has much to load; --time-limit unless given.
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
+    pub start_limit: Option<f64>,
+    /// The part of the checks that must be answered with pass or difference, in percent; without it at least one check.
+    #[arg(long, value_name = "PERCENT")]
+    pub require: Option<f64>,
     /// Compare with this baseline: exit code 1 only for what is worse.
     #[arg(long, value_name = "FILE")]
     pub baseline: Option<PathBuf>,
@@ -89,5 +95,5 @@ Examples:
   moreau gate --quick -- moreau engine --scheme anitescu      our own scheme over the same protocol
   moreau gate --explain ball/energy
 
-Exit codes: 0 nothing is bad (or nothing worse than the baseline); 1 a check fails or errors, or a regression;
-2 usage; 3 the engine could not be run.";
+Exit codes: 0 nothing is bad (or nothing worse than the baseline); 1 a check fails or errors, or a regression,
+or less is answered than --require; 2 usage; 3 the engine could not be run.";

@@ -10,15 +10,20 @@ use super::output::{print, print_aside, style};
 use super::{Answer, Format};
 use crate::files::{is_same_file, write_together};
 use crate::gate::baseline::{Baseline, Change, ChangeKind};
+use crate::gate::conformance::{self, Probe};
 use crate::gate::runner::{self, Plan};
-use crate::gate::{Refusal, Report};
+use crate::gate::{Engine, Options, Refusal, Report, Verdict};
 use crate::report::gate::{junit, page, text};
 use crate::report::json::pretty;
 use crate::{Error, Result};
 pub use arguments::Arguments;
 use indicatif::{ProgressBar, ProgressStyle};
 use jiff::Zoned;
+use std::collections::BTreeMap;
+use std::io::IsTerminal;
 use std::path::Path;
+use std::sync::Mutex;
+use std::time::Duration;
 
 /// The exit code for an engine that could not be run.
 pub const CANNOT_RUN: u8 = 3;
@@ -37,8 +42,10 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         return scenes::write(folder, &checks, &sweep);
     }
     arguments.keep_files()?;
+    let required = required(arguments.require)?;
     let baseline = arguments.baseline.as_deref().map(Baseline::read).transpose()?;
     let bar = progress();
+    let today = Zoned::now().date();
     let plan = Plan {
         checks,
         sweep,
@@ -49,22 +56,83 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     };
     bar.set_length(plan.tasks() as u64);
     let make = subject::maker(arguments)?;
-    let answer = runner::run(make.as_ref(), &plan);
+    let watched = Mutex::new(Watched { times: BTreeMap::new(), written: Ok(()) });
+    let watch = |report: &Report, name: &'static str, time: Duration| {
+        let mut watched = watched.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        watched.times.insert(name.into(), time);
+        if !std::io::stderr().is_terminal() {
+            print_aside(&finished(report, name, time, watched.times.len()));
+        }
+        if watched.written.is_ok() && arguments.trajectory.is_empty() {
+            let changes = baseline.as_ref().map(|baseline| baseline.compare(report, today)).transpose();
+            watched.written = changes.and_then(|changes| arguments.write(report, changes.as_deref(), &watched.times, false));
+        }
+    };
+    let adapter = if arguments.trajectory.is_empty() { misreported(make.as_ref(), &plan.options) } else { Vec::new() };
+    let answer = runner::run_watched(make.as_ref(), &plan, &watch);
     bar.finish_and_clear();
+    let Watched { times, written } = watched.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    written?;
     let report = match answer {
-        Ok(report) => subject::audited(arguments, report)?,
+        Ok(report) => Report { adapter, ..subject::audited(arguments, report)? },
         Err(refusal) => return cannot_run(&refusal),
     };
     for note in baseline.iter().flat_map(|baseline| baseline.notes(&report)) {
         print_aside(&format!("warning: {note}\n"));
     }
-    let changes = baseline.map(|baseline| baseline.compare(&report, Zoned::now().date())).transpose()?;
-    arguments.write(&report, changes.as_deref())?;
+    let changes = baseline.map(|baseline| baseline.compare(&report, today)).transpose()?;
+    arguments.write(&report, changes.as_deref(), &times, true)?;
     arguments.show(&report, changes.as_deref())?;
-    Ok(match &changes {
-        Some(changes) => changes.iter().all(|change| change.kind != ChangeKind::Regression).into(),
-        None => (!report.is_bad()).into(),
-    })
+    let is_fine = match &changes {
+        Some(changes) => changes.iter().all(|change| change.kind != ChangeKind::Regression),
+        None => !report.is_bad(),
+    };
+    Ok((is_enough(&report, required) && is_fine).into())
+}
+
+/// What is kept of a run while it goes on.
+struct Watched {
+    /// How long the measurements of each finished check took.
+    times: BTreeMap<String, Duration>,
+    /// Whether the reports could be written.
+    written: Result<()>,
+}
+
+/// One line for a log.
+fn finished(report: &Report, name: &str, time: Duration, count: usize) -> String {
+    let verdict = report.checks.iter().find(|outcome| outcome.check == name).map_or("", |outcome| outcome.verdict.word());
+    format!("{count}/{} {verdict} {name} ({:.1} s)\n", report.checks.len(), time.as_secs_f64())
+}
+
+/// --require, in percent.
+fn required(percent: Option<f64>) -> Result<Option<f64>> {
+    match percent {
+        Some(percent) if !(0.0..=100.0).contains(&percent) => {
+            Err(Error::invalid("--require", format!("is {percent}"), "use a number of percent from 0 to 100"))
+        }
+        other => Ok(other),
+    }
+}
+
+/// Whether enough of the checks were answered; if not, it is told.
+fn is_enough(report: &Report, required: Option<f64>) -> bool {
+    let answered = report.count(Verdict::Pass) + report.count(Verdict::Difference);
+    let count = report.checks.len();
+    let is_enough = required.map_or(answered > 0, |percent| 100.0 * answered as f64 >= percent * count as f64);
+    if !is_enough {
+        let wanted = required.map_or("at least one is needed".to_string(), |percent| format!("--require asks for {percent} %"));
+        print_aside(&format!("{answered} of {count} checks were answered with pass or difference; {wanted}\n"));
+    }
+    is_enough
+}
+
+/// What the probes find wrong with the adapter; nothing of an engine that does not describe itself, which the run will tell.
+fn misreported(make: &(dyn Fn() -> Box<dyn Engine> + Sync), options: &Options) -> Vec<Probe> {
+    let mut engine = make();
+    match engine.describe(options) {
+        Ok(description) => conformance::misreported(engine.as_mut(), &description, options),
+        Err(_) => Vec::new(),
+    }
 }
 
 fn cannot_run(refusal: &Refusal) -> Result<Answer> {
@@ -115,13 +183,13 @@ impl Arguments {
         Ok(())
     }
 
-    /// Writes all named outputs, or none.
-    fn write(&self, report: &Report, changes: Option<&[Change]>) -> Result<()> {
+    /// Writes all named outputs, or none; a baseline only of a whole run.
+    fn write(&self, report: &Report, changes: Option<&[Change]>, times: &BTreeMap<String, Duration>, is_whole: bool) -> Result<()> {
         let mut texts = Vec::new();
-        for (option, file) in self.outputs() {
+        for (option, file) in self.outputs().filter(|(option, _)| is_whole || *option != "--save-baseline") {
             let text = match option {
                 "--save-baseline" => self.new_baseline(report)?.to_toml()?,
-                "--junit" => junit::xml(report, changes)?,
+                "--junit" => junit::xml(report, changes, times)?,
                 "--html" => page::html(report, changes)?,
                 _ => pretty(report)?,
             };

@@ -2,6 +2,7 @@
 
 use super::Arguments;
 use crate::cli::near::suggestion;
+use crate::cli::number::number;
 use crate::gate::{Check, Level, Options, checks, runner};
 use crate::{Error, Result};
 
@@ -52,12 +53,7 @@ pub fn sweep(arguments: &Arguments) -> Result<Vec<f64>> {
 
 /// A number of seconds, also as a fraction `1/240`.
 fn step(text: &str) -> Result<f64> {
-    let number = |part: &str| part.trim().parse::<f64>().ok();
-    let value = match text.split_once('/') {
-        Some((above, below)) => number(above).zip(number(below)).map(|(above, below)| above / below),
-        None => number(text),
-    };
-    value
+    number(text)
         .filter(|h| h.is_finite() && *h > 0.0)
         .ok_or_else(|| Error::invalid("--steps", format!("has `{text}`"), "use positive seconds, such as 0.001 or 1/240"))
 }

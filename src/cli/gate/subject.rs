@@ -16,12 +16,17 @@ pub fn maker(arguments: &Arguments) -> Result<Box<dyn Fn() -> Box<dyn Engine> + 
         let library = Library::read(&arguments.trajectory, description)?;
         return Ok(Box::new(move || Box::new(library.clone())));
     }
-    let limit = Duration::try_from_secs_f64(arguments.time_limit).ok().filter(|limit| !limit.is_zero());
-    let limit =
-        limit.ok_or_else(|| Error::invalid("--time-limit", format!("is {}", arguments.time_limit), "use a positive number of seconds"))?;
+    let reply = seconds("--time-limit", arguments.time_limit)?;
+    let start = arguments.start_limit.map_or(Ok(reply), |limit| seconds("--start-limit", limit))?;
+    let limits = Limits { reply, start, ..Limits::default() };
     end_engines_on_interrupt()?;
     let command = arguments.command.clone();
-    Ok(Box::new(move || Box::new(ProcessEngine::new(command.clone(), Limits { reply: limit, ..Limits::default() }))))
+    Ok(Box::new(move || Box::new(ProcessEngine::new(command.clone(), limits))))
+}
+
+fn seconds(option: &str, number: f64) -> Result<Duration> {
+    let limit = Duration::try_from_secs_f64(number).ok().filter(|limit| !limit.is_zero());
+    limit.ok_or_else(|| Error::invalid(option, format!("is {number}"), "use a positive number of seconds"))
 }
 
 /// The report of a run on stored trajectories: the checks whose scene is stored, and the audit of every file. Other checks are left out.

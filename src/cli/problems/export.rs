@@ -5,6 +5,7 @@ use super::super::output::{print, print_aside};
 use super::named::named;
 use crate::files::write_together;
 use crate::problems::{ALL, Stored, solution};
+use crate::report::text::counted;
 use crate::{Error, Result};
 use clap::ValueEnum;
 use nalgebra::DVector;
@@ -16,10 +17,10 @@ use std::path::{Path, PathBuf};
 /// problem, the first answer as its solution, and no impulses as its guess; it has no place for other laws than Coulomb's, for a shift and
 /// for a compliance. What cannot be written is named on standard error.
 #[derive(clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, override_usage = USAGE)]
 pub struct Arguments {
     /// The problem's name and the folder; with --all the folder alone.
-    #[arg(required = true, num_args = 1..=2, value_names = ["NAME", "FOLDER"])]
+    #[arg(num_args = 0..=2, value_names = ["NAME", "FOLDER"])]
     what: Vec<String>,
     /// All problems that are stored.
     #[arg(long)]
@@ -39,6 +40,8 @@ enum To {
     Fclib,
 }
 
+const USAGE: &str = "moreau problems export [--to FORMAT] NAME FOLDER\n       moreau problems export [--to FORMAT] --all FOLDER";
+
 const EXAMPLES: &str = "\
 Examples:
   moreau problems export box-rough .
@@ -51,7 +54,9 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let (chosen, folder): (Vec<&Stored>, &str) = match (arguments.all, &arguments.what[..]) {
         (true, [folder]) => (ALL.iter().filter(|stored| stored.problem.is_some()).collect(), folder),
         (false, [name, folder]) => (vec![named(name)?], folder),
+        (true, []) => return Err(Error::invalid("FOLDER", "is missing", "give the folder: moreau problems export --all FOLDER")),
         (true, _) => return Err(Error::invalid("NAME", "is given with --all", "give the folder alone")),
+        (false, []) => return Err(Error::invalid("NAME", "is missing", "give a problem's name and a folder, or --all and a folder")),
         (false, _) => return Err(Error::invalid("FOLDER", "is missing", "give a problem's name and a folder, or --all and a folder")),
     };
     let folder = Path::new(folder);
@@ -71,7 +76,8 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     }
     let together: Vec<(&Path, &[u8])> = files.iter().map(|(file, bytes)| (file.as_path(), &bytes[..])).collect();
     write_together(&together)?;
-    print(&format!("{problems} problems in {} files in {}\n", files.len(), folder.display()))?;
+    let (problems, files) = (counted(problems, "problem"), counted(files.len(), "file"));
+    print(&format!("{problems} in {files} in {}\n", folder.display()))?;
     Ok(Answer::Yes)
 }
 

@@ -88,6 +88,12 @@ const MARKERS: [&str; 2] = [BEGIN, END];
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
+    if let (Some(least), Some(most)) = (arguments.from, arguments.to)
+        && least > most
+    {
+        let cure = format!("give a number of contacts of at most {most}, or a larger --to");
+        return Err(Error::invalid("--from", format!("is {least}, and --to is {most}: no number is between them"), cure));
+    }
     let records: Vec<Record> = ALL.iter().map(|stored| stored.record()).collect::<Result<_>>()?;
     known("--group", arguments.group.as_deref(), records.iter().map(|record| record.group.as_str()))?;
     known("--law", arguments.law.as_deref(), records.iter().map(|record| record.law.as_str()))?;

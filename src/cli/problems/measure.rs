@@ -2,19 +2,22 @@
 
 use super::super::limits::CommonOptions;
 use super::super::output::print;
+use super::super::progress;
 use super::super::{Answer, Format};
 use crate::Result;
 use crate::problem::{ContactProblem, Solution};
-use crate::problems::{Measured, measure};
+use crate::problems::{Measured, measure_told};
 use crate::report::json::pretty;
+use crate::report::problems::left_out;
 use crate::solvers::Solvers;
 use std::fmt::Write;
 use std::path::PathBuf;
 
 /// Ask every solver of moreau-contact for an answer, judge each, and compare their velocities.
 ///
-/// Iterative solvers may make as many iterations as a fixed number of multiplications by W allows, so that the same problem gives the same
-/// answer on every machine.
+/// The engines' own iterations – cg, gauss-pgs, sap, sequential-impulses – are left out, as in the records of the collection;
+/// `moreau solve --solver NAME` asks them. Iterative solvers may make as many iterations as a fixed number of multiplications by W
+/// allows, so that the same problem gives the same answer on every machine.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
@@ -36,25 +39,31 @@ Exit code 0: some answer is accepted; 1: none is.";
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
-    arguments.common.memory.apply()?;
+    arguments.common.apply()?;
     let problem = ContactProblem::read(&arguments.problem)?;
     let given: Vec<Solution> = arguments.given.iter().map(|file| Solution::read(file, &problem)).collect::<Result<_>>()?;
-    let measured = measure(&problem, &given, &Solvers::own())?;
+    let own = Solvers::own();
+    let bar = progress::parts(own.names().count(), "solvers");
+    let asked = |name: &str| {
+        bar.set_message(format!(", {name}"));
+        bar.inc(1);
+    };
+    let measured = progress::shown(&bar, || measure_told(&problem, &given, &own, &asked))?;
     print(&match arguments.common.format {
-        Format::Text => text(&measured),
+        Format::Text => text(&measured) + &left_out(measured.solvers.iter().map(|outcome| outcome.solver.as_str())),
         Format::Json => pretty(&measured)?,
     })?;
     Ok((!measured.answers.is_empty()).into())
 }
 
 fn text(measured: &Measured) -> String {
-    let mut text = String::new();
+    let mut text = format!("{:19} {:9} {:>8} {:>10} {:>8} why\n", "solver", "ended", "residual", "iterations", "Δu [m/s]");
     for outcome in &measured.solvers {
         let number = |value: Option<f64>| value.map_or("–".into(), |value| format!("{value:.1e}"));
         let [relative, difference] = [outcome.relative, outcome.difference].map(number);
         let iterations = outcome.iterations.map_or("–".into(), |iterations| iterations.to_string());
         let reason = outcome.reason.as_deref().unwrap_or_default();
-        let _ = writeln!(text, "{:18} {:9} {relative:>8} {iterations:>8} {difference:>8} {reason}", outcome.solver, outcome.ended.name());
+        let _ = writeln!(text, "{:19} {:9} {relative:>8} {iterations:>10} {difference:>8} {reason}", outcome.solver, outcome.ended.name());
     }
     let sweeps =
         measured.difficulty.sweeps.map_or_else(|| measured.difficulty.reason.clone().unwrap_or_default(), |sweeps| sweeps.to_string());

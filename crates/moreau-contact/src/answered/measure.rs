@@ -72,6 +72,14 @@ struct Accepted {
 /// # Errors
 /// What a certificate says of an answer that does not fit the problem.
 pub fn measure(problem: &ContactProblem, given: &[Solution], solvers: &Solvers) -> Result<Measured> {
+    measure_told(problem, given, solvers, &|_| ())
+}
+
+/// [`measure`] that tells the name of each solver before it is asked.
+///
+/// # Errors
+/// Those of [`measure`].
+pub fn measure_told(problem: &ContactProblem, given: &[Solution], solvers: &Solvers, asked: &dyn Fn(&str)) -> Result<Measured> {
     let mut accepted = Vec::new();
     for candidate in given {
         problem.require_size("impulse", candidate.impulse.len())?;
@@ -85,6 +93,7 @@ pub fn measure(problem: &ContactProblem, given: &[Solution], solvers: &Solvers) 
     let mut outcomes = Vec::new();
     let mut found: Vec<Option<DVector<f64>>> = Vec::new();
     for name in solvers.names() {
+        asked(name);
         let (outcome, solution) = ask(problem, solvers, name)?;
         found.push(solution.as_ref().map(|solution| solution.velocity.clone()));
         if let (Some(solution), Some(relative)) = (solution, outcome.relative) {
@@ -108,7 +117,7 @@ fn family(solver: &str) -> &str {
         "apgd" | "bb" => "gradients",
         "interior-point" | "clarabel" => "interior points",
         "admm" => "alternating directions",
-        "newton" | "nonsmooth-newton" | "jean-moreau" => "Newton",
+        "newton" | "nonsmooth-newton" | "jean-moreau" | "fischer-burmeister" | "proximal-newton" => "Newton",
         "lemke" => "pivots",
         _ => solver,
     }

@@ -8,6 +8,6 @@ mod measure;
 mod record;
 mod starts;
 
-pub use measure::{Found, Measured, measure};
+pub use measure::{Found, Measured, measure, measure_told};
 pub use record::{Answered, Bound, Difficulty, Ended, Known, OtherAnswer, Outcome, RECORD_SCHEMA, Record, Uniqueness};
 pub use starts::from_several_starts;

@@ -90,6 +90,7 @@ fn turn(impulse: &mut [f64], at: usize, rows: usize, quarters: usize) {
 mod tests {
     use super::*;
     use crate::certificate::several::distinct;
+    use crate::certificate::spatial::velocities;
     use nalgebra::{DMatrix, dvector};
 
     #[test]
@@ -103,6 +104,35 @@ mod tests {
             let found = distinct(&rod, &answers).unwrap();
             assert!(found.len() <= count && (found.len() > 1) == (count > 1), "{free:?}: {found:?}");
         }
+    }
+
+    #[test]
+    fn no_solver_from_any_start_meets_a_velocity_that_is_not_in_the_list_of_all() {
+        // every answer, beside the list: it has no more velocities than the list alone, and fewer are seen if the list is not whole
+        let outside = |problem: &ContactProblem, list: &[Solution], answers: &[Solution]| {
+            let together: Vec<Solution> = list.iter().chain(answers).cloned().collect();
+            distinct(problem, &together).unwrap().len() - list.len()
+        };
+        let (mut state, mut answered, mut missing) = (3_u64, 0, 0);
+        let mut next = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 40) as f64 / f64::from(1 << 23) - 1.0
+        };
+        for (contacts, friction) in [(1, 3.0), (1, 1.5), (1, 3.0), (2, 2.0), (2, 0.75), (2, 3.0), (3, 0.5), (3, 1.5)] {
+            let h = DMatrix::from_fn(3 * contacts, 3 * contacts + 1, |_, _| next());
+            let free = DVector::from_fn(3 * contacts, |_, _| 2.0 * next());
+            let problem = ContactProblem::new(&h * h.transpose(), free).friction(vec![friction; contacts]).build().unwrap();
+            let all = velocities(&problem).unwrap();
+            assert!(all.exactly().is_some(), "{contacts} {friction} {:?}", all.undecided);
+            let list: Vec<Solution> = all.found.into_iter().map(|(answer, _)| answer).collect();
+            let answers = from_several_starts(&problem, &[], &Solvers::own());
+            answered += answers.len();
+            assert_eq!(outside(&problem, &list, &answers), 0, "{contacts} {friction}");
+            missing += (0..list.len())
+                .map(|left_out| outside(&problem, &[&list[..left_out], &list[left_out + 1..]].concat(), &answers))
+                .sum::<usize>();
+        }
+        assert!(answered > 50 && missing >= 8, "{answered} answers, {missing} missed when one of the list is taken away");
     }
 
     #[test]

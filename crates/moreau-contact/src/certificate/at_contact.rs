@@ -25,6 +25,8 @@ pub(super) struct Here<'a> {
     pub sizes: [f64; 3],
     /// The scale of r_n and its rounding \[N·s\].
     pub impulse: [f64; 2],
+    /// The largest scale of an impulse that moves this contact along the normal, and along the tangents \[N·s\].
+    pub most: [f64; 2],
     /// Rounding of y_n and of y_t \[m/s\].
     pub floors: [f64; 2],
 }

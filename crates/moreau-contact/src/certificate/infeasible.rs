@@ -2,18 +2,20 @@
 //!
 //! ```text
 //!     p in P ,   −(Wᵀp)_k ∈ K_k* for every contact k ,   p·(u_free + shift) < 0
-//!     P = normal impulses p_n ≥ 0, p_t = 0   (frictionless, Coulomb) ,      P = K   (associated)
+//!     P = normal impulses p_n ≥ 0, p_t = 0   (frictionless, Coulomb, polyhedral) ,      P = K   (associated)
 //! ```
 //! Such a p refutes every r ∈ K: the law asks y_n ≥ 0, or y ∈ K*, hence p·y ≥ 0; but p·y = (Wᵀp)·r + p·(u_free + shift), where the first
-//! term is at most 0 and the second is negative. Two walls that close in on a body are the example. Contacts are hard: R = 0. A problem may
+//! term is at most 0 and the second is negative. Two walls that close in on a body are the example. A polygon's cone lies in
+//! the round one, and its edges' velocities y_n + μ Dⱼ·y_t ≥ 0 have y_n as their mean. Contacts are hard: R = 0. A problem may
 //! have no solution without such a witness; then this says nothing.
 //!
-//! The search is a linear program in fractions, with eight generators of each cone for the candidates and eight bounds around each dual
-//! cone; what it finds is checked against the round cones after squaring.
+//! The search is a linear program in fractions, with eight generators of each cone for the candidates – of many contacts with normal
+//! impulses alone – and eight bounds around each dual cone; what it finds is checked against the round cones after squaring.
 
 use super::feasibility::nonnegative_solution;
+use crate::operator::Islands;
 use crate::problem::{ContactProblem, Law};
-use crate::tolerance::proof::WITNESS_CONTACTS;
+use crate::tolerance::proof::{WITNESS_CONTACTS, WITNESS_ROUND, WITNESS_WORK};
 use dashu_ratio::RBig;
 use moreau_exact::scalar::{Rational, exact, ratio};
 use nalgebra::{DMatrix, DVector};
@@ -47,8 +49,51 @@ const DIRECTIONS: [[i64; 2]; 8] = [[5, 0], [4, 3], [0, 5], [-3, 4], [-5, 0], [-4
 /// ```
 pub fn infeasible(problem: &ContactProblem) -> Option<Infeasible> {
     let soft = problem.compliance().is_some();
-    if soft || problem.law().directions().is_some() || problem.contacts() == 0 || problem.contacts() > WITNESS_CONTACTS {
+    if soft || problem.contacts() == 0 {
         return None;
+    }
+    let islands = problem.islands();
+    let witness = match islands.members.len() > 1 || islands.last_is_of_lone {
+        true => of_an_island(problem, islands)?,
+        false if problem.contacts() <= WITNESS_CONTACTS => of_joined(problem)?,
+        false => return None,
+    };
+    let product = check(problem, &witness)?;
+    Some(Infeasible { witness, product })
+}
+
+/// A witness of the first island that has one: what cannot be solved there cannot be solved at all. The smallest are looked at first, and
+/// not more than a limited work.
+fn of_an_island(problem: &ContactProblem, islands: &Islands) -> Option<DVector<Rational>> {
+    let (last, of_lone) = (islands.members.len() - 1, islands.last_is_of_lone);
+    let apart = |(place, members): (usize, &Vec<usize>)| -> Vec<Vec<usize>> {
+        if of_lone && place == last { members.iter().map(|k| vec![*k]).collect() } else { vec![members.clone()] }
+    };
+    let mut all: Vec<Vec<usize>> = islands.members.iter().enumerate().flat_map(apart).collect();
+    all.sort_by_key(Vec::len);
+    let (rows, mut work) = (problem.rows_per_contact(), 0);
+    for members in all.iter().take_while(|members| members.len() <= WITNESS_CONTACTS) {
+        work += members.len().pow(3);
+        if work > WITNESS_WORK {
+            return None;
+        }
+        if let Some(own) = of_joined(&problem.island(islands, members)) {
+            let mut witness = DVector::from_element(problem.rows(), RBig::ZERO);
+            for (place, k) in members.iter().enumerate() {
+                (0..rows).for_each(|row| witness[k * rows + row] = own[place * rows + row].clone());
+            }
+            return Some(witness);
+        }
+    }
+    None
+}
+
+/// A witness of contacts that W joins; it is checked by the caller.
+fn of_joined(problem: &ContactProblem) -> Option<DVector<Rational>> {
+    let (rows, data) = (problem.rows_per_contact(), [problem.free_velocity(), problem.shift()]);
+    let closes = |k: usize| data[0][k * rows] + data[1][k * rows] < 0.0;
+    if problem.law() != Law::Associated && !(0..problem.contacts()).any(closes) {
+        return None; // p·q < 0 needs a contact with q_n < 0
     }
     let generators = generators(problem);
     let moved = products(problem, &generators);
@@ -70,14 +115,13 @@ pub fn infeasible(problem: &ContactProblem) -> Option<Infeasible> {
     for (generator, weight) in generators.iter().zip(weights.iter()) {
         generator.iter().for_each(|(row, part)| witness[*row] += part * weight);
     }
-    let product = check(problem, &witness)?;
-    Some(Infeasible { witness, product })
+    Some(witness)
 }
 
 /// p·(u_free + shift), if p is a witness.
 pub fn check(problem: &ContactProblem, witness: &DVector<Rational>) -> Option<Rational> {
     let (d, law) = (problem.rows_per_contact(), problem.law());
-    if witness.len() != problem.rows() || problem.compliance().is_some() || law.directions().is_some() {
+    if witness.len() != problem.rows() || problem.compliance().is_some() {
         return None;
     }
     let mu = |k: usize| exact(if d == 1 { 0.0 } else { law.cone_friction(problem.friction()[k]) });
@@ -117,7 +161,7 @@ fn generators(problem: &ContactProblem) -> Vec<Generator> {
     let d = problem.rows_per_contact();
     let of = |k: usize| -> Vec<Generator> {
         let mu = exact(problem.law().cone_friction(problem.friction()[k]));
-        if d == 1 || problem.law() != Law::Associated || mu.is_zero() {
+        if d == 1 || problem.law() != Law::Associated || mu.is_zero() || problem.contacts() > WITNESS_ROUND {
             return vec![vec![(k * d, RBig::ONE)]];
         }
         let along = |[x, y]: [i64; 2]| {
@@ -188,14 +232,47 @@ mod tests {
 
     #[test]
     fn walls_that_close_in_have_a_witness_and_walls_that_do_not_have_none() {
-        for law in [Law::Frictionless, Law::Coulomb, Law::Associated] {
-            for dimension in 1..=3 {
+        let round = [Law::Frictionless, Law::Coulomb, Law::Associated].map(|law| (law, 1..=3));
+        let polyhedral = [Law::PolyhedralCoulomb { directions: 4 }, Law::PolyhedralAssociated { directions: 5 }].map(|law| (law, 3..=3));
+        for (law, dimensions) in round.into_iter().chain(polyhedral) {
+            for dimension in dimensions {
                 let crushed = between(law, dimension, [1.0, 2.0_f64.powi(-40) - 1.0]);
                 let found = infeasible(&crushed).unwrap_or_else(|| panic!("{law:?} {dimension}"));
                 assert!(found.product < RBig::ZERO && check(&crushed, &found.witness) == Some(found.product.clone()));
                 assert!(infeasible(&between(law, dimension, [1.0, -1.0])).is_none(), "{law:?} {dimension}: carried along");
             }
         }
+    }
+
+    /// Contacts that meet no other, normal rows alone, with these diagonal entries of W and free velocities.
+    fn lone(entries: &[[f64; 2]]) -> ContactProblem {
+        let diagonal = DVector::from_iterator(entries.len(), entries.iter().map(|[w, _]| *w));
+        let free = DVector::from_iterator(entries.len(), entries.iter().map(|[_, q]| *q));
+        ContactProblem::new(DMatrix::from_diagonal(&diagonal), free).law(Law::Frictionless).rows_per_contact(1).build().unwrap()
+    }
+
+    #[test]
+    fn one_contact_that_nothing_moves_refutes_any_number_of_others() {
+        let mut entries = vec![[1.0, -1.0]; 40];
+        assert!(infeasible(&lone(&entries)).is_none());
+        entries[17] = [0.0, 2.0_f64.powi(-60)];
+        assert!(infeasible(&lone(&entries)).is_none(), "it opens");
+        entries[17] = [0.0, -(2.0_f64.powi(-60))];
+        let found = infeasible(&lone(&entries)).expect("contact 17 closes, and no impulse moves it");
+        assert_eq!(found.witness.iter().enumerate().filter(|(_, p)| !p.is_zero()).map(|(k, _)| k).collect::<Vec<_>>(), [17]);
+        let crushed = between(Law::Coulomb, 3, [1.0, 0.5]);
+        // twenty such jaws, of which the last is carried along like the others, or closes
+        let w = DMatrix::from_fn(120, 120, |i, j| if i / 6 == j / 6 { crushed.dense()[(i % 6, j % 6)] } else { 0.0 });
+        let many = |last: f64| {
+            let free = |i: usize, _| match (i, i % 6) {
+                (117, _) => last,
+                (_, 0) => -1.0,
+                (_, 3) => 1.0,
+                _ => 2.0,
+            };
+            ContactProblem::new(w.clone(), DVector::from_fn(120, free)).friction(vec![0.5; 40]).build().unwrap()
+        };
+        assert!(infeasible(&many(1.0)).is_none() && infeasible(&many(1.0 - 2.0_f64.powi(-50))).is_some());
     }
 
     #[test]

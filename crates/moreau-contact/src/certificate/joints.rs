@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!     bilateral   ‖y_k‖ ,   y = W r + u_free + shift + R r                                            [m/s]
-//!     scale       max( ‖q_k‖ ,  ‖(W r_u)_k‖ up to 10⁶ V ,  ‖W_kk r_k‖ up to V )                        [m/s]
+//!     scale       max( ‖q_k‖ ,  ‖(W r_u)_k‖ up to 10³ V ,  ‖W_kk r_k‖ up to V )                        [m/s]
 //!     floor       ‖γ (Σ_j |W_kj||r_j| + |u_free| + |shift| + R|r|)_k‖                                  [m/s]
 //! ```
 //! q = u_free + shift, V is its largest entry anywhere, and r_u are the impulses of contacts and limits: the size of a joint's velocity is
@@ -91,7 +91,7 @@ fn of_contacts(problem: &JointedProblem, solution: &Solution) -> Result<Residual
     let unheld = Unheld { rounding: rounding.as_slice(), data: unheld.as_slice(), fastest };
     let mut residuals = of_held(&given, &Solution { impulse, velocity, ..solution.clone() }, unheld)?;
     let pushing = problem.pushing();
-    let Judged { primal, dual, complementarity, normal, tangential, velocity } = &mut residuals.judged;
+    let Judged { primal, dual, complementarity, normal, tangential, velocity, .. } = &mut residuals.judged;
     for worst in [primal, dual, complementarity, normal, tangential, velocity] {
         worst.contact = pushing.get(worst.contact).copied().unwrap_or(0);
     }

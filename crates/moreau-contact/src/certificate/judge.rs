@@ -10,7 +10,9 @@
 //! as large as the slip speed, and they tell a wrong normal impulse from a wrong direction of friction. Polyhedral laws are judged by their
 //! pairs.
 //!
-//! Where a contact slides, the scale of friction is μ s_r. The rounding of its velocity counts as an angle, relative to the slip.
+//! The scale of a product is that of one member times the size of the other: an impulse that is larger than its scale times a velocity that
+//! is within its own says no more than this velocity. Where a contact slides, the scale of friction is μ s_r. The rounding of its velocity
+//! counts as an angle, relative to the slip.
 
 use super::at_contact::{AtContact, Here, worst};
 use super::part::{Part, pair};
@@ -47,6 +49,9 @@ pub struct Judged {
     pub tangential: Worst,
     /// |u − (W r + u_free)| of the stored u \[m/s\].
     pub velocity: Worst,
+    /// max r_n/(ρ_n V), V the largest velocity of the data of the contact's island: how many times the impulse that the data ask of a
+    /// contact one of them carries.
+    pub loaded: f64,
 }
 
 impl Judged {
@@ -194,9 +199,9 @@ impl Judge {
     fn contacts(&mut self, problem: &ContactProblem, solution: &Solution, impulse: &[f64], law_velocity: &[f64]) -> Result<Judged> {
         self.scales.set_sizes(problem, impulse, law_velocity);
         let rows = problem.rows_per_contact();
-        let mut judged = Judged::default();
+        let mut judged = Judged { loaded: self.scales.loaded(impulse), ..Default::default() };
         for (k, (r, y)) in impulse.chunks_exact(rows).zip(law_velocity.chunks_exact(rows)).enumerate() {
-            if k > 0 && self.is_plainly_open(problem.law(), [r, y], k * rows) {
+            if k > 0 && self.is_plainly_open(problem.law(), [r, y], k) {
                 continue;
             }
             let here = Here {
@@ -207,7 +212,8 @@ impl Judge {
                 weights: self.scales.weights[k],
                 sizes: self.scales.at(k),
                 impulse: self.scales.of_impulse(k),
-                floors: self.scales.floors_at(k * rows..(k + 1) * rows),
+                floors: self.scales.floors_at(k, k * rows..(k + 1) * rows),
+                most: self.scales.most(k),
             };
             let at = match problem.law() {
                 Law::PolyhedralCoulomb { directions } => polyhedral::stewart_trinkle(&mut self.pairs, solution, directions, &here),
@@ -222,9 +228,10 @@ impl Judge {
 
     /// Whether a contact without an impulse opens, and its rounding is known and small: all its residuals are 0. Of the first contact they
     /// are taken in any case, for their limits.
-    fn is_plainly_open(&self, law: Law, [r, y]: [&[f64]; 2], first: usize) -> bool {
+    fn is_plainly_open(&self, law: Law, [r, y]: [&[f64]; 2], contact: usize) -> bool {
+        let rows = contact * r.len()..(contact + 1) * r.len();
         let no_impulse = r.iter().all(|r| *r == 0.0) && y[0] >= 0.0 && y.iter().all(|y| y.is_finite());
-        no_impulse && matches!(law, Law::Frictionless | Law::Coulomb) && self.scales.is_certain(first..first + r.len())
+        no_impulse && matches!(law, Law::Frictionless | Law::Coulomb) && self.scales.is_certain(contact, rows)
     }
 
     /// Judges the stored u: its difference from W r + u_free.
@@ -255,10 +262,12 @@ fn second_order(law: Law, here: &Here) -> AtContact {
     let (scale, rounded) = if r[0] < 0.0 { (s_i, rounding) } else { (here.friction_scale(mu), PROJECTED * radius) };
     let outside = Part { value: distance(r, mu), scale, floor: rounded };
     let loss = radius * slip + r[1..].iter().zip(&y[1..]).map(|(r, y)| r * y).sum::<f64>();
-    let sliding = Part { value: loss.abs(), scale: here.friction_scale(mu) * slip.max(here.sizes[2] / here.weights[1]), floor: 0.0 };
+    let rubbing = (here.friction_scale(mu) * slip).max(here.friction_scale(mu).max(radius) * here.sizes[2] / here.weights[1]);
+    let sliding = Part { value: loss.abs(), scale: rubbing, floor: 0.0 };
     let rounded = Part { floor: (radius + pushed) * floor_t + PROJECTED * radius * slip, ..sliding };
     let penetrating = Part { value: (-w).max(0.0), ..velocity };
-    let product = Part { value: (r[0] * w).abs(), scale: s_n * w.abs().max(s_n / rho), floor: r[0].abs() * floor };
+    let pressing = (s_n * w.abs()).max(s_n.max(r[0].abs()) * s_n / rho);
+    let product = Part { value: (r[0] * w).abs(), scale: pressing, floor: r[0].abs() * floor };
     AtContact {
         primal: outside,
         dual: nan_kept(penetrating, w).times(1.0 / length(mu, 1.0)),

@@ -67,7 +67,9 @@ pub(super) fn edges(pairs: &mut Pairs, problem: &ContactProblem, solution: &Solu
     let ([rho, _], [s_n, s_r, _]) = (here.weights, here.sizes);
     let scale = s_n.max(s_r);
     let floor = here.floors[0] + here.friction * here.floors[1];
-    let members = Members { impulse: scale, velocity: scale / rho, floor, rho };
+    // an edge's impulse moves the contact along the tangents, too, by its part μ
+    let along = if here.friction > 0.0 { here.most[1] / here.friction } else { f64::INFINITY };
+    let members = Members { impulse: scale.min(here.most[0]).min(along), velocity: scale / rho, floor, rho };
     let mut at = AtContact::default();
     for one in &pairs.pairs {
         let part = members.judge(*one, &mut at);
@@ -106,7 +108,8 @@ impl Members {
         let negative = |x: f64, part: Part| if x >= 0.0 { Part { value: 0.0, ..part } } else { part };
         at.primal = at.primal.worse(negative(z, impulse));
         at.dual = at.dual.worse(negative(w, velocity));
-        let product = Part { value: (z * w).abs(), scale: self.impulse * self.velocity.max(w.abs()), floor: z.abs() * self.floor };
+        let size = (self.impulse * w.abs()).max(self.impulse.max(z.abs()) * self.velocity);
+        let product = Part { value: (z * w).abs(), scale: size, floor: z.abs() * self.floor };
         at.complementarity = at.complementarity.worse(product);
         pair([z, w], impulse, velocity.times(self.rho))
     }

@@ -15,15 +15,17 @@
 //! − μ‖q_t‖ stands in place of q_n, and a point that leaves fast excuses no other point of its body. In s_r the smaller of
 //! |q_n| and |q_n − μ‖q_t‖| stands: slip makes no friction.
 //!
-//! None is more than 10⁶ ρ V, V the largest velocity in q – in W r, net, where q = 0: impulses that push against each other and move
+//! None is more than 10³ ρ V, and s_r not more than that with either ρ, V the largest velocity in q of the island – in W r, net, where q =
+//! 0: impulses that push against each other and move
 //! nothing would otherwise excuse any velocity, and a jaw that closes from both sides, which has no solution, would have one. What impulses
 //! move is no V either: where W is not positive semidefinite they may grow without end, each the excuse of the other. Nor is a
-//! floor more than a hundredth of the largest velocity in q: where rounding hides that, nothing is certain, and the rounding itself counts
+//! floor more than 10⁻⁵ of the largest velocity in q: where rounding hides that, nothing is certain, and the rounding itself counts
 //! as a residual of y, which may be zero only because q was lost in it.
 //!
 //! An impulse that does not move its own contact, W_nn = 0 as in many complementarity problems, says nothing about the size of that
-//! contact's velocity: |r_n| is left out of its s_n. Growing along a ray such an impulse would excuse any velocity. Nor does a velocity
-//! say anything about its size: r_n is held against the normal impulses of its pair and the rounding of the largest one.
+//! contact's velocity: |r_n| is left out of its s_n, and q_n out of its s_r. Growing along a ray such an impulse would excuse any velocity.
+//! Nor does a velocity say anything about its size: r_n is held against the normal impulses of its pair and the rounding of the largest one
+//! of the island.
 //!
 //! Which contacts lie between the same two bodies is told by [`groups`].
 //!
@@ -44,8 +46,10 @@ const MOST_ENTRIES: usize = 36;
 pub(super) struct Scales {
     /// ρ_n and ρ_t per contact \[kg\].
     pub weights: Vec<[f64; 2]>,
-    /// Whether a normal impulse moves its own contact: W_nn + R_nn > 0.
-    moves_itself: Vec<bool>,
+    /// Whether a normal impulse moves its own contact, W_nn + R_nn > 0, and friction, tr(W_tt + R_tt) > 0.
+    moves_itself: Vec<[bool; 2]>,
+    /// The first contact of the same island.
+    island: Vec<usize>,
     /// The first contact of the same two bodies: see [`groups`].
     group: Vec<usize>,
     /// Floor per row \[m/s\].
@@ -54,10 +58,28 @@ pub(super) struct Scales {
     shared: Vec<[f64; 3]>,
     /// What the data of a contact add to its own s_n, s_r and s_t \[N·s\].
     own: Vec<[f64; 3]>,
-    /// The largest velocity in the data, and the same or of the impulses, net \[m/s\].
-    fastest: [f64; 2],
+    /// Of each island, at its first contact.
+    largest: Vec<Largest>,
     /// What the rows would do without the joints that hold them, and the largest such velocity; nothing where there are none \[m/s\].
     unheld: (Vec<f64>, f64),
+}
+
+/// The largest numbers of an island.
+#[derive(Clone, Copy, Debug, Default)]
+struct Largest {
+    /// The largest velocity in the data \[m/s\].
+    given: f64,
+    /// The same, or of the impulses, net \[m/s\].
+    fastest: f64,
+    /// Normal impulse \[N·s\].
+    impulse: f64,
+}
+
+impl Largest {
+    /// V \[m/s\].
+    fn velocity(&self) -> f64 {
+        if self.given > 0.0 { self.given } else { self.fastest }
+    }
 }
 
 /// What the given velocities of contacts come from, where joints hold them \[m/s\].
@@ -87,13 +109,15 @@ impl Scales {
             [inverse(1.0, diagonal(0)), inverse((rows - 1) as f64, tangential)]
         }));
         self.moves_itself.clear();
-        self.moves_itself.extend(self.weights.iter().map(|[normal, _]| normal.is_finite()));
+        self.moves_itself.extend(self.weights.iter().map(|weights| weights.map(f64::is_finite)));
         // A block without a trace has no mass of its own. Every mass > 0 has the same zeros: the largest of the problem is the strictest.
         let largest = self.weights.iter().flatten().copied().filter(|rho| rho.is_finite()).fold(0.0, f64::max);
         let instead = if largest > 0.0 { largest } else { 1.0 };
         self.weights.iter_mut().flatten().filter(|rho| !rho.is_finite()).for_each(|rho| *rho = instead);
         self.group.clear();
         self.group.extend_from_slice(problem.groups(groups::find));
+        self.island.clear();
+        self.island.extend_from_slice(&problem.islands().first);
         self.unheld = (Vec::new(), 0.0);
     }
 
@@ -121,74 +145,105 @@ impl Scales {
         self.shared.clear();
         self.shared.resize(problem.contacts(), [0.0; 3]);
         self.own.clear();
-        self.fastest = [0.0; 2];
+        self.largest.clear();
+        self.largest.resize(problem.contacts(), Largest::default());
         for (k, (r, y)) in impulse.chunks_exact(rows).zip(law_velocity.chunks_exact(rows)).enumerate() {
             let mut q = [0.0; 3];
             (0..rows).for_each(|row| q[row] = problem.free_velocity()[k * rows + row] + problem.shift()[k * rows + row]);
             let ([normal, tangential], mu) = (self.weights[k], problem.friction()[k]);
             let moved = |row: usize| if row < rows { y[row] - q[row] } else { 0.0 };
             let net = length(moved(1), moved(2));
-            let own = if self.moves_itself[k] { r[0].abs() } else { 0.0 };
+            let own = if self.moves_itself[k][0] { r[0].abs() } else { 0.0 };
             let pushed = [own.max(normal * moved(0).abs()), r[0].abs(), length(tangential_norm(r), r[0]).max(tangential * net)];
+            let largest = &mut self.largest[self.island[k]];
+            largest.impulse = largest.impulse.max(r[0].abs());
             for (row, q) in q[..rows].iter().enumerate() {
-                let [given, fastest] = self.fastest;
-                self.fastest = [given.max(q.abs()), fastest.max(q.abs()).max(moved(row).abs())];
+                largest.given = largest.given.max(q.abs());
+                largest.fastest = largest.fastest.max(q.abs()).max(moved(row).abs());
             }
             let sizes = &mut self.shared[self.group[k]];
             sizes.iter_mut().zip(pushed).for_each(|(size, pushed)| *size = size.max(pushed));
-            self.own.push(of_data(problem.law(), mu, &q[..rows], self.weights[k]));
+            self.own.push(self.of_data(problem.law(), mu, &q[..rows], k));
         }
         let (data, most) = (&self.unheld.0, self.unheld.1);
         for (k, q) in data.chunks_exact(rows).enumerate() {
-            let sizes = of_data(problem.law(), problem.friction()[k], q, self.weights[k]);
+            let sizes = self.of_data(problem.law(), problem.friction()[k], q, k);
             self.own[k].iter_mut().zip(sizes).for_each(|(own, size)| *own = own.max(size));
         }
-        self.fastest = self.fastest.map(|fastest| fastest.max(most));
+        if most > 0.0 {
+            self.largest
+                .iter_mut()
+                .for_each(|largest| (largest.given, largest.fastest) = (largest.given.max(most), largest.fastest.max(most)));
+        }
+    }
+
+    /// What the data q of a contact add to its s_n, s_r and s_t \[N·s\]; to s_r only where a velocity tells the size of an impulse.
+    fn of_data(&self, law: Law, mu: f64, q: &[f64], contact: usize) -> [f64; 3] {
+        let [s_n, s_r, s_t] = of_data(law, mu, q, self.weights[contact]);
+        [s_n, if self.moves_itself[contact][0] { s_r } else { 0.0 }, s_t]
     }
 
     /// The floors of a contact's normal row and of its tangential rows \[m/s\]. They are limited to the part of the given velocities that
     /// rounding may hide.
-    pub fn floors_at(&self, rows: std::ops::Range<usize>) -> [f64; 2] {
+    pub fn floors_at(&self, contact: usize, rows: std::ops::Range<usize>) -> [f64; 2] {
         let floors = &self.floors[rows];
-        let most = self.hidden();
+        let most = self.hidden(contact);
         [floors[0].min(most), tangential_norm(floors).min(most)]
     }
 
     /// The rounding of y at a contact where it hides more of the given velocities than it may: as large a residual, for y tells nothing
     /// there.
     pub fn uncertain_at(&self, contact: usize, rows: std::ops::Range<usize>) -> Option<Part> {
-        let (floors, most) = (&self.floors[rows], self.hidden());
+        let (floors, most) = (&self.floors[rows], self.hidden(contact));
         let value = floors[0].max(tangential_norm(floors));
         (value > most).then(|| Part { value, scale: self.at(contact)[0] / self.weights[contact][0], floor: most })
     }
 
     /// Whether the rounding of y at these rows of a contact is within what it may hide.
-    pub fn is_certain(&self, rows: std::ops::Range<usize>) -> bool {
-        let most = self.hidden();
+    pub fn is_certain(&self, contact: usize, rows: std::ops::Range<usize>) -> bool {
+        let most = self.hidden(contact);
         self.floors[rows].iter().all(|floor| floor.is_finite() && *floor <= 0.5 * most)
     }
 
+    /// The largest r_n/(ρ_n V), V the largest given velocity of the island: how many times the impulse that the data ask of a contact it
+    /// carries. Where V = 0, or an impulse does not move its own contact, nothing tells.
+    pub fn loaded(&self, impulse: &[f64]) -> f64 {
+        let rows = impulse.len() / self.weights.len().max(1);
+        let carried = |k: usize| impulse[k * rows].abs() / (self.weights[k][0] * self.largest[self.island[k]].given);
+        let tells = |k: &usize| self.moves_itself[*k][0] && self.largest[self.island[*k]].given > 0.0;
+        (0..self.weights.len()).filter(tells).map(carried).fold(0.0, f64::max)
+    }
+
     /// What rounding may hide of the given velocities \[m/s\].
-    fn hidden(&self) -> f64 {
-        if self.fastest[0] > 0.0 { self.fastest[0] * HIDDEN } else { f64::INFINITY }
+    fn hidden(&self, contact: usize) -> f64 {
+        let given = self.largest[self.island[contact]].given;
+        if given > 0.0 { given * HIDDEN } else { f64::INFINITY }
     }
 
     /// The scale of r_n itself, with its rounding \[N·s\]: s_n, or – where an impulse does not move its own contact, so that no velocity
     /// tells how large it should be – the normal impulses there are between the two bodies.
     pub fn of_impulse(&self, contact: usize) -> [f64; 2] {
-        if self.moves_itself[contact] {
+        if self.moves_itself[contact][0] {
             return [self.at(contact)[0], 0.0];
         }
-        let largest = self.shared.iter().map(|shared| shared[1]).fold(0.0, f64::max);
+        let largest = self.largest[self.island[contact]].impulse;
         [self.shared[self.group[contact]][1], gamma(2 * self.shared.len() + 8) * largest]
     }
 
     /// s_n, s_r and s_t of contact k \[N·s\].
     pub fn at(&self, contact: usize) -> [f64; 3] {
         let ([s_n, s_r, s_t], [own_n, own_r, own_t]) = (self.shared[self.group[contact]], self.own[contact]);
-        let [given, moved] = self.fastest;
-        let [most_n, most_t] = self.weights[contact].map(|weight| JAMMED * weight * if given > 0.0 { given } else { moved });
-        [s_n.max(own_n).min(most_n), s_r.max(own_r).min(most_n), s_t.max(own_t).min(most_t)]
+        let [most_n, most_t] = self.weights[contact].map(|weight| JAMMED * weight * self.largest[self.island[contact]].velocity());
+        let [moved_n, moved_t] = self.most(contact);
+        [s_n.max(own_n).min(most_n), s_r.max(own_r).min(moved_n).min(moved_t), s_t.max(own_t).min(most_t)]
+    }
+
+    /// 10³ ρ V, normal and tangential \[N·s\], where impulses move their own contact so; else infinite.
+    pub fn most(&self, contact: usize) -> [f64; 2] {
+        let fastest = self.largest[self.island[contact]].velocity();
+        let ([rho_n, rho_t], [normal, tangential]) = (self.weights[contact], self.moves_itself[contact]);
+        let most = |moves: bool, rho: f64| if moves { JAMMED * rho * fastest } else { f64::INFINITY };
+        [most(normal, rho_n), most(tangential, rho_t)]
     }
 }
 

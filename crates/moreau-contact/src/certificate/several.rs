@@ -58,7 +58,7 @@ pub fn distinct(problem: &ContactProblem, answers: &[Solution]) -> Result<Vec<Di
 }
 
 /// Whether the enclosures of two answers are disjoint at some contact.
-fn apart(rows: usize, answers: [&Solution; 2], radii: [&Radius; 2]) -> bool {
+pub(super) fn apart(rows: usize, answers: [&Solution; 2], radii: [&Radius; 2]) -> bool {
     let [one, other] = answers.map(|answer| &answer.velocity);
     (0..radii[0].velocity.len()).any(|k| {
         let difference = (k * rows..(k + 1) * rows).fold(0.0_f64, |sum, row| sum.hypot(one[row] - other[row]));

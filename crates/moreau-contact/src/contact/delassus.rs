@@ -216,11 +216,15 @@ fn is_diagonal<T: Scalar>(mass: &DMatrix<T>) -> bool {
 }
 
 fn finite<T: Scalar>(field: &str, matrix: &DMatrix<T>) -> Result<()> {
-    match matrix.iter().find(|x| !((*x).clone() - (*x).clone()).is_zero()) {
-        None => Ok(()),
-        Some(x) => Err(Error::invalid(field, format!("holds {}", x.to_f64()), "use finite numbers")),
-    }
+    let Some(x) = matrix.iter().find(|x| !((*x).clone() - (*x).clone()).is_zero()) else { return Ok(()) };
+    let unmoved = field == "mass" && x.to_f64() == f64::INFINITY;
+    let cure = if unmoved { UNMOVED } else { "use finite numbers" };
+    Err(Error::invalid(field, format!("holds {}", x.to_f64()), cure))
 }
+
+/// What to do about the mass of a body that nothing moves, where M has to be a matrix.
+pub(super) const UNMOVED: &str =
+    "use finite numbers; static bodies and prescribed velocities need a scheme that takes M body by body, such as `moreau-jean`";
 
 fn symmetric<T: Scalar>(mass: &DMatrix<T>) -> Result<()> {
     let n = mass.nrows();

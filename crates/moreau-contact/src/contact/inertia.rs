@@ -1,6 +1,6 @@
 //! A mass matrix with its factor: of free bodies by its blocks, of linkages as it is.
 
-use super::delassus::MassFactor;
+use super::delassus::{MassFactor, UNMOVED};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use std::sync::OnceLock;
@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 /// A mass matrix M, symmetric positive definite, by what couples its velocities.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Mass {
-    /// Nothing couples them: free bodies in principal axes.
+    /// Nothing couples them: free bodies in principal axes. An entry may be +∞, that of a velocity which nothing changes: M⁻¹ is 0 there.
     Diagonal(DVector<f64>),
     /// Square blocks on the diagonal, one after the other.
     Blocks(Vec<DMatrix<f64>>),
@@ -23,6 +23,15 @@ impl Mass {
             Mass::Diagonal(diagonal) => diagonal.len(),
             Mass::Blocks(blocks) => blocks.iter().map(DMatrix::nrows).sum(),
             Mass::Dense(dense) => dense.nrows(),
+        }
+    }
+
+    /// Whether no velocity has the inertia +∞.
+    pub fn is_finite(&self) -> bool {
+        match self {
+            Mass::Diagonal(diagonal) => diagonal.iter().all(|m| m.is_finite()),
+            // their factors refuse what is not finite
+            Mass::Blocks(_) | Mass::Dense(_) => true,
         }
     }
 
@@ -111,6 +120,14 @@ impl Inertia {
         }
     }
 
+    /// [`Inertia::matrix`] for what computes with M itself, not with M⁻¹.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if a velocity has the inertia +∞.
+    pub fn finite_matrix(&self) -> Result<&DMatrix<f64>> {
+        if self.mass.is_finite() { Ok(self.matrix()) } else { Err(Error::invalid("mass", "is infinite", UNMOVED)) }
+    }
+
     /// Its factor.
     pub fn factor(&self) -> &MassFactor<f64> {
         &self.factor
@@ -142,9 +159,9 @@ impl MassFactor<f64> {
     /// The factor of a diagonal matrix.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if an entry is not positive and finite.
+    /// [`Error::Invalid`] if an entry is not positive; +∞ is, and p/∞ = 0 for every p.
     fn diagonal(diagonal: &DVector<f64>) -> Result<Self> {
-        match diagonal.iter().position(|m| !(*m > 0.0 && m.is_finite())) {
+        match diagonal.iter().position(|m| m.is_nan() || *m <= 0.0) {
             None => Ok(MassFactor::from_pivots(diagonal.as_slice().to_vec())),
             Some(j) => {
                 let problem = format!("is not positive definite (pivot {j} is {})", diagonal[j]);
@@ -181,9 +198,18 @@ mod tests {
             diagonal.solve(&dvector![0.7, -1.1]),
             Inertia::new(diagonal.matrix().clone()).expect("positive").solve(&dvector![0.7, -1.1])
         );
-        for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        for bad in [0.0, -1.0, f64::NAN] {
             assert!(Inertia::of(Mass::Diagonal(dvector![1.0, bad])).expect_err("not definite").to_string().contains("`mass`"));
             assert!(Inertia::of(Mass::Blocks(vec![dmatrix![1.0], dmatrix![bad]])).is_err());
         }
+        assert!(Inertia::of(Mass::Blocks(vec![dmatrix![1.0], dmatrix![f64::INFINITY]])).is_err());
+    }
+
+    #[test]
+    fn no_impulse_moves_an_infinite_mass() {
+        let inertia = Inertia::of(Mass::Diagonal(dvector![2.0, f64::INFINITY])).expect("positive");
+        assert_eq!(inertia.solve(&dvector![3.0, -1e300]), dvector![1.5, 0.0]);
+        assert!(inertia.finite_matrix().expect_err("infinite").to_string().contains("`moreau-jean`"));
+        assert!(Inertia::of(Mass::Diagonal(dvector![2.0])).expect("positive").finite_matrix().is_ok());
     }
 }

@@ -66,7 +66,12 @@ impl Place {
 
 /// The two bodies of every contact, if all contacts have a place.
 pub fn pairs(places: &[Option<Place>]) -> Option<Vec<[Option<usize>; 2]>> {
-    places.iter().map(|place| place.map(|Place { bodies: (first, second), .. }| [Some(first), second])).collect()
+    let mut pairs = Vec::with_capacity(places.len());
+    for place in places {
+        let (first, second) = place.as_ref()?.bodies;
+        pairs.push([Some(first), second]);
+    }
+    Some(pairs)
 }
 
 /// Which candidate of a mechanism a contact is, wherever in the list it stands.

@@ -5,5 +5,5 @@ mod schema;
 mod text;
 
 pub use atomic::{is_same_file, write_atomically, write_together};
-pub use schema::{names_schema, read_object, read_schema};
+pub use schema::{read_object, read_schema, schema_of};
 pub use text::{read_json, read_problem, read_text};

@@ -9,34 +9,36 @@ use serde::de::DeserializeOwned;
 /// # Errors
 /// [`Error::Json`] if the text is not JSON; [`Error::Invalid`] names the field where it is not what the schema says.
 pub fn read_schema<T: DeserializeOwned>(text: &str, schema: &str) -> Result<T> {
+    schema_of(text, &[schema])?;
+    read_object(text, schema)
+}
+
+/// Which of `schemas` the `schema` entry of JSON text names.
+///
+/// # Errors
+/// [`Error::Json`] if the text is not JSON; [`Error::Invalid`] names all of `schemas` where the entry is missing or another one.
+pub fn schema_of<'a>(text: &str, schemas: &[&'a str]) -> Result<&'a str> {
     #[derive(Deserialize)]
     struct Probe {
         schema: Option<serde_json::Value>,
     }
-    let first = text.trim_start_matches(|letter: char| letter.is_whitespace() || letter == '\u{feff}').chars().next();
-    if text.starts_with('\u{feff}') || first.is_some_and(|letter| letter != '{') {
-        return Err(Error::invalid(
-            "schema",
-            "is missing, because the text is not a JSON object",
-            format!("start with {{\"schema\": \"{schema}\""),
-        ));
+    let names = schemas.iter().map(|schema| format!("\"{schema}\"")).collect::<Vec<_>>().join(" or ");
+    if text.starts_with('\u{feff}') {
+        let problem = "stands behind a byte-order mark (the bytes EF BB BF), which JSON does not have";
+        return Err(Error::invalid("schema", problem, "save the file again as UTF-8 without a byte-order mark"));
     }
-    let probe: Probe = read_object(text, schema)?;
+    if text.trim_start().starts_with(|letter: char| letter != '{') {
+        let problem = "is missing, because the text is not a JSON object";
+        return Err(Error::invalid("schema", problem, format!("start with {{\"schema\": {names}")));
+    }
+    let probe: Probe = read_object(text, schemas.first().copied().unwrap_or_default())?;
     match probe.schema {
-        Some(serde_json::Value::String(name)) if name == schema => {}
-        Some(other) => return Err(Error::invalid("schema", format!("is {other}"), format!("this reader takes \"{schema}\""))),
-        None => return Err(Error::invalid("schema", "is missing", format!("add \"schema\": \"{schema}\""))),
+        None => Err(Error::invalid("schema", "is missing", format!("add \"schema\": {names}"))),
+        Some(found) => {
+            let known = schemas.iter().copied().find(|schema| found == *schema);
+            known.ok_or_else(|| Error::invalid("schema", format!("is {found}"), format!("this reader takes {names}")))
+        }
     }
-    read_object(text, schema)
-}
-
-/// Whether this is JSON text whose `schema` entry is `schema`.
-pub fn names_schema(text: &str, schema: &str) -> bool {
-    #[derive(Deserialize)]
-    struct Probe {
-        schema: String,
-    }
-    serde_json::from_str::<Probe>(text).is_ok_and(|probe| probe.schema == schema)
 }
 
 /// Reads a value from JSON text that `schema` describes.
@@ -59,7 +61,7 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error) -> Error {
     let (problem, cure) = if error.to_string().starts_with("number out of range") {
         (error.to_string(), "use a finite number".to_string())
     } else if error.classify() == Category::Syntax {
-        (format!("not valid JSON: {error}"), "JSON knows finite numbers only, no NaN and no Infinity".to_string())
+        (format!("not valid JSON: {error}"), cure_of_syntax(word_at(text, error.line(), error.column())))
     } else {
         (error.to_string(), format!("see the schema {schema}"))
     };
@@ -68,6 +70,25 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error) -> Error {
         Some(field) => Error::invalid(field, problem, cure),
         None => Error::Json(error),
     }
+}
+
+/// What to do about a word where JSON has no such one.
+fn cure_of_syntax(word: &str) -> String {
+    let lower = word.to_lowercase();
+    if ["nan", "inf"].iter().any(|number| lower.contains(number)) {
+        return "JSON knows finite numbers only, no NaN and no Infinity".into();
+    }
+    "put right what stands there: a comma, a bracket or a quotation mark is missing or too much".into()
+}
+
+/// The letters, digits and signs around a line and column (both counted from 1, the column in bytes).
+fn word_at(text: &str, line: usize, column: usize) -> &str {
+    let whole = text.split('\n').nth(line.saturating_sub(1)).unwrap_or_default();
+    let belongs = |byte: u8| byte.is_ascii_alphanumeric() || b"+-._".contains(&byte);
+    let place = column.saturating_sub(1).min(whole.len());
+    let start = whole.as_bytes()[..place].iter().rposition(|byte| !belongs(*byte)).map_or(0, |before| before + 1);
+    let end = whole.as_bytes()[place..].iter().position(|byte| !belongs(*byte)).map_or(whole.len(), |after| place + after);
+    whole.get(start..end).unwrap_or_default()
 }
 
 /// The error of a text that is cut off: where it ends, and after which key.
@@ -125,7 +146,8 @@ mod tests {
         assert!(message(r#"{"schema":"pair/1","first":[1]}"#).contains("field `second`: missing"));
         assert!(message(r#"{"schema":"pair/1","first":[1],"second":2,"first":[1]}"#).contains("field `first`: duplicate"));
         assert!(!message(r#"{"schema":"pair/1","first":[1],"second":2}}"#).contains("field"));
-        assert!(message("\u{feff}{\"schema\":\"pair/1\"}").contains("start with"));
+        let marked = message("\u{feff}{\"schema\":\"pair/1\"}");
+        assert!(marked.contains("byte-order mark") && marked.contains("as UTF-8 without"), "{marked}");
         assert!(message(r#"{"schema":"pair/2"}"#).contains("pair/1"));
         assert!(message(r#"{"first":[1]}"#).contains("`schema`"));
         let cut = message("{\"schema\":\"pair/1\",\n\"first\":[1");
@@ -133,6 +155,18 @@ mod tests {
         assert!(message("{").contains("ends early, at line 1"));
         assert!(message(r#"{"schema":"pair/1","first":[NaN],"second":2}"#).contains("`first`: not valid JSON"));
         assert!(message(r#"{"schema":"pair/1","first":[1],"second":-Infinity}"#).contains("`second`: not valid JSON"));
+        for number in ["NaN", "-Infinity", "-NaN", "inf"] {
+            let text = format!(r#"{{"schema":"pair/1","first":[1, {number}],"second":2}}"#);
+            assert!(message(&text).contains("finite numbers only"), "{number}: {}", message(&text));
+        }
+        for text in [
+            r#"{"schema":"pair/1","first":[1 2],"second":2}"#,
+            r#"{"schema":"pair/1","first":[1],"second":'2'}"#,
+            r#"{"schema":"pair/1","first":[1],"second":é2}"#,
+        ] {
+            let said = message(text);
+            assert!(said.contains("a comma, a bracket") && !said.contains("finite"), "{said}");
+        }
         for text in ["no JSON at all", "[1]", "null", "\"x\""] {
             assert!(message(text).contains("not a JSON object"), "{text}");
         }

@@ -53,6 +53,9 @@ fn read_while(file: &Path, limit: u64, cure: &str, sensible: impl Fn(&[u8]) -> b
     let failed = |source| Error::Read { file: file.to_path_buf(), source };
     let too_large =
         |bytes: String| Error::invalid("size", format!("is {bytes}"), format!("at most {} are read; {cure}", size(limit.into())));
+    if file.is_dir() {
+        return Err(failed(IoError::new(ErrorKind::IsADirectory, "it is a folder; give a file in it")));
+    }
     let open = File::open(file).map_err(failed)?;
     let metadata = open.metadata().map_err(failed)?;
     if metadata.is_file() && metadata.len() > limit {
@@ -112,6 +115,12 @@ mod tests {
     fn what_is_not_text_is_refused() {
         with_file(b"a\0b", |file| assert!(read_text(file).expect_err("a byte 0").to_string().contains("not text")));
         with_file(&[b'a', 0xff], |file| assert!(read_text(file).expect_err("no UTF-8").to_string().contains("cannot read")));
+    }
+
+    #[test]
+    fn a_folder_is_told_by_that_word() {
+        let message = read_text(&std::env::temp_dir()).expect_err("a folder").to_string();
+        assert!(message.contains("it is a folder; give a file in it"), "{message}");
     }
 
     #[test]

@@ -165,12 +165,12 @@ impl BlockSparse {
     }
 
     /// W of these contacts, growing, which meet no other; `place` is the place of each among them.
-    pub(crate) fn of(&self, members: &[usize], place: &[usize]) -> Self {
+    pub(crate) fn of(&self, members: &[usize], place: impl Fn(usize) -> usize) -> Self {
         let (d, count) = (self.rows_per_contact, members.iter().map(|k| self.starts[k + 1] - self.starts[*k]).sum());
         let mut made = BlockSparse::with_capacity(d, members.len(), count);
         for k in members {
             let range = self.starts[*k]..self.starts[k + 1];
-            made.coupled.extend(self.coupled[range.clone()].iter().map(|j| place[*j]));
+            made.coupled.extend(self.coupled[range.clone()].iter().map(|j| place(*j)));
             made.entries.extend_from_slice(&self.entries[range.start * d * d..range.end * d * d]);
             made.starts.push(made.coupled.len());
         }

@@ -207,12 +207,22 @@ impl MatrixFree {
         self.body_velocity_with(impulse, |number| number)
     }
 
+    /// Overwrites the velocities w with those of all impulses.
+    pub(crate) fn write_body_velocity(&self, impulse: &[f64], velocity: &mut [f64]) {
+        self.write_body_velocity_with(impulse, velocity, |number| number);
+    }
+
     fn body_velocity_with(&self, impulse: &[f64], of: impl Fn(f64) -> f64 + Copy) -> Vec<f64> {
         let mut velocity = vec![0.0; self.inverse.len()];
-        for (k, r) in impulse.chunks_exact(self.rows_per_contact()).enumerate().filter(|(_, r)| r.iter().any(|r| *r != 0.0)) {
-            self.push_with(k, r, &mut velocity, of);
-        }
+        self.write_body_velocity_with(impulse, &mut velocity, of);
         velocity
+    }
+
+    fn write_body_velocity_with(&self, impulse: &[f64], velocity: &mut [f64], of: impl Fn(f64) -> f64 + Copy) {
+        velocity.fill(0.0);
+        for (k, r) in impulse.chunks_exact(self.rows_per_contact()).enumerate().filter(|(_, r)| r.iter().any(|r| *r != 0.0)) {
+            self.push_with(k, r, velocity, of);
+        }
     }
 
     /// Overwrites `block` with W_jk, column by column.

@@ -4,7 +4,7 @@
 //!     u = W r + u_free                                                                                [m/s]
 //! ```
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, DVectorView, DVectorViewMut};
 use std::sync::OnceLock;
 
 mod block_rows;
@@ -170,12 +170,19 @@ impl Operator {
     /// # Panics
     /// If there are not as many impulses as rows.
     pub fn apply(&self, impulse: &DVector<f64>) -> DVector<f64> {
-        if let Operator::Dense(dense) = self {
-            return dense * impulse;
-        }
         let mut velocity = DVector::zeros(impulse.len());
-        self.of_contacts().add_product(impulse.as_slice(), velocity.as_mut_slice());
+        self.write_product(impulse.as_slice(), velocity.as_mut_slice());
         velocity
+    }
+
+    /// Overwrites `velocity` \[m/s\] with W r for impulses r \[N·s\].
+    pub(crate) fn write_product(&self, impulse: &[f64], velocity: &mut [f64]) {
+        if let Operator::Dense(dense) = self {
+            let mut product = DVectorViewMut::from_slice(velocity, dense.nrows());
+            return product.gemv(1.0, dense, &DVectorView::from_slice(impulse, dense.ncols()), 0.0);
+        }
+        velocity.fill(0.0);
+        self.of_contacts().add_product(impulse, velocity);
     }
 
     /// Adds W e_j r to `velocity` \[m/s\]: what the impulse r \[N·s\] at row j alone changes.

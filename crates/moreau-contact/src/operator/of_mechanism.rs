@@ -19,7 +19,7 @@ struct Half {
 }
 
 /// Velocities of a free body times rows of a contact, at most.
-const LARGEST: usize = 18;
+pub(super) const LARGEST: usize = 18;
 
 /// Rows and velocities of contacts between free bodies in space, which nearly all are.
 const SPATIAL: [usize; 2] = [3, 6];
@@ -219,6 +219,34 @@ mod tests {
         let mut contacts = vec![Rows::zeros(2, 3 * bodies).with(0, block(5))];
         contacts.extend((1..bodies).map(contact));
         Jacobian::new(2, 3 * bodies, contacts)
+    }
+
+    /// A chain of bodies in space, with two contacts between any two that meet.
+    fn chain_in_space(bodies: usize) -> Jacobian {
+        let entry = |seed: usize| ((seed * 7919 + 13) % 101) as f64 / 37.0 - 1.0;
+        let block = |seed: usize| -> [[f64; 6]; 3] { std::array::from_fn(|i| std::array::from_fn(|v| entry(seed + 6 * i + v))) };
+        let contact = |k: usize, seed: usize| {
+            let rows = Rows::zeros(3, 6 * bodies).with(6 * k, block(seed));
+            if k > 0 { rows.with(6 * k - 6, block(seed + 18)) } else { rows }
+        };
+        Jacobian::new(3, 6 * bodies, (0..2 * bodies).map(|k| contact(k / 2, 37 * k)).collect())
+    }
+
+    #[test]
+    fn blocks_in_space_equal_the_dense_operator_to_the_last_bit() {
+        let jacobian = chain_in_space(7);
+        let coupled = DMatrix::from_fn(6, 6, |i, j| if i == j { 2.0 + i as f64 } else { 0.3 / (1.0 + i.abs_diff(j) as f64) });
+        let masses = [
+            Mass::Diagonal(DVector::from_fn(42, |i, _| 0.3 + i as f64 / 7.0)),
+            Mass::Blocks((0..7).map(|k| &coupled * (1.0 + k as f64 / 3.0)).collect()),
+        ];
+        for mass in masses {
+            let inertia = Inertia::of(mass).expect("definite");
+            let found = of_mechanism(&inertia, &jacobian).expect("it fits");
+            let expected = delassus_factored(inertia.factor(), &jacobian.to_dense()).expect("it fits");
+            assert_eq!(found.blocks().expect("few contacts meet").block_count(), 4 * (7 + 2 * 6));
+            assert_eq!(found.dense(), &expected);
+        }
     }
 
     #[test]

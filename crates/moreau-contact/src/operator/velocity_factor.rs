@@ -10,7 +10,7 @@
 //! the end belongs to a body that nothing else touches. Nothing is taken on trust: Y Yᵀ is held against every block of W, and where it
 //! differs – contacts of spheres are single, and one does not determine a body – there is no factor.
 
-use super::of_mechanism::body_width;
+use super::of_mechanism::{LARGEST, body_width};
 use super::{BlockSparse, MatrixFree};
 use crate::contact::{BodyRows, Inertia, Jacobian, Rows};
 use crate::tolerance::velocities::{MOST_ROWS, MOST_VELOCITIES, PAYS, RANK, RECOVERED};
@@ -63,13 +63,14 @@ impl VelocityFactor {
         let factor = inertia.factor();
         let parts = jacobian.contacts().iter().map(|contact| {
             let block = |part: BodyRows| {
-                let mut block = DMatrix::from_row_slice(part.entries.len() / width, width, part.entries);
-                for mut row in block.row_iter_mut() {
-                    let mut left: Vec<f64> = row.iter().copied().collect();
-                    factor.forward_within(part.first, &mut left);
-                    let pivots = &factor.pivots()[part.first..part.first + width];
-                    row.iter_mut().zip(left.iter().zip(pivots)).for_each(|(y, (left, pivot))| *y = left / pivot.sqrt());
+                let (mut entries, pivots) = ([0.0; LARGEST], &factor.pivots()[part.first..part.first + width]);
+                let entries = &mut entries[..part.entries.len()];
+                entries.copy_from_slice(part.entries);
+                for row in entries.chunks_exact_mut(width) {
+                    factor.forward_within(part.first, row);
+                    row.iter_mut().zip(pivots).for_each(|(y, pivot)| *y /= pivot.sqrt());
                 }
+                let block = DMatrix::from_row_slice(part.entries.len() / width, width, entries);
                 (bodies.binary_search(&(part.first / width)).expect("a body of a contact is one of all"), block)
             };
             contact.parts().map(block).collect()

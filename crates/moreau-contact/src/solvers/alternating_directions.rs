@@ -90,10 +90,17 @@ impl ContactSolver for AlternatingDirections {
         let mut cone = x.clone();
         super::project(problem, &mut cone);
         let (mut done, mut held, mut changes) = (0, 0, 0);
+        let mut before_overflow = DVector::zeros(0);
         loop {
             if done == self.iterations || done % tolerance::LOOK == 0 {
                 let impulse = &cone * unit;
-                if done == self.iterations || stopping.holds(&impulse, &problem.law_velocity(&impulse)) {
+                let law_velocity = problem.law_velocity(&impulse);
+                if impulse.iter().chain(&law_velocity).all(|x| x.is_finite()) {
+                    before_overflow.clone_from(&cone);
+                } else {
+                    require_no_descent(problem, &before_overflow)?;
+                }
+                if done == self.iterations || stopping.holds(&impulse, &law_velocity) {
                     let velocity = problem.velocity(&impulse);
                     return super::finite(Solution::new(NAME, impulse, velocity, done));
                 }
@@ -108,6 +115,25 @@ impl ContactSolver for AlternatingDirections {
             }
         }
     }
+}
+
+/// Impulses grow without end along r where r·(W + R)r < 0, and then the method is not made for the problem.
+///
+/// # Errors
+/// [`Error::Solver`], a refusal, where the last finite impulses are such an r.
+fn require_no_descent(problem: &ContactProblem, impulse: &DVector<f64>) -> Result<()> {
+    let size = impulse.amax();
+    if size == 0.0 || !size.is_finite() {
+        return Ok(());
+    }
+    let unit = impulse / size;
+    let at_rest = DVector::zeros(unit.len());
+    let curvature = unit.dot(&(problem.law_velocity(&unit) - problem.law_velocity(&at_rest)));
+    if curvature >= 0.0 {
+        return Ok(());
+    }
+    let reason = "needs a positive semidefinite W + R: its impulses grew without end, along r with r·(W + R)r < 0";
+    Err(Error::refused(NAME, reason))
 }
 
 impl<'a> Scaled<'a> {
@@ -209,5 +235,10 @@ mod tests {
         let problem = block(Law::Associated).into_builder().delassus(indefinite).build().unwrap();
         let message = AlternatingDirections::default().solve(&problem, None).unwrap_err().to_string();
         assert!(message.contains("`admm`") && message.contains("semidefinite"), "{message}");
+        // its impulses grow until they are no numbers: that is no matter of units
+        let falling = ContactProblem::new(-DMatrix::identity(2, 2), DVector::from_vec(vec![-1.0, -2.0])).rows_per_contact(1);
+        let falling = falling.law(Law::Frictionless).build().unwrap();
+        let message = AlternatingDirections::default().solve(&falling, None).unwrap_err().to_string();
+        assert!(message.contains("(refused)") && message.contains("r·(W + R)r < 0"), "{message}");
     }
 }

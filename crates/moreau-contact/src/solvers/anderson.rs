@@ -14,6 +14,7 @@
 //! # Source
 //! Walker and Ni, *Anderson acceleration for fixed-point iterations*, SIAM J. Numer. Anal. 49 (2011).
 
+use super::parts::copy;
 use crate::tolerance::sweeps::DEPENDENT_SQUARE;
 use nalgebra::DVector;
 
@@ -41,6 +42,8 @@ pub(super) struct Anderson {
     gram: Vec<f64>,
     /// f and G(x) of the last step.
     last: Option<(DVector<f64>, Point)>,
+    /// Memory of a last step that is forgotten.
+    spare: Option<(DVector<f64>, Point)>,
     /// Those of this step.
     residual: DVector<f64>,
     /// γ, and what it is found with: rows of T and Eᵀf.
@@ -52,26 +55,28 @@ impl Anderson {
     pub(super) fn new(memory: usize) -> Self {
         let (differences, order, residual) = (Vec::new(), Vec::with_capacity(memory + 1), DVector::zeros(0));
         let [gram, triangle] = [vec![0.0; memory * memory], vec![0.0; memory * memory]];
-        Anderson { memory, differences, order, gram, last: None, residual, weights: vec![0.0; memory], triangle }
+        Anderson { memory, differences, order, gram, last: None, spare: None, residual, weights: vec![0.0; memory], triangle }
     }
 
     /// Forgets all steps.
     pub(super) fn forget(&mut self) {
         self.order.clear();
-        self.last = None;
+        self.spare = self.last.take().or(self.spare.take());
     }
 
     /// Replaces G(x), which has been evaluated at x, by the next point.
     pub(super) fn extrapolate(&mut self, x: &DVector<f64>, image: &mut Point) {
-        self.residual.clone_from(&image.x);
+        copy(&image.x, &mut self.residual);
         self.residual -= x;
         match self.last.take() {
-            None => self.last = Some((self.residual.clone(), image.clone())),
+            None => self.begin(image),
             Some((last_residual, last_image)) => {
                 let smaller = self.residual.norm() <= last_residual.norm(); // not of a residual that is not a number
                 if !self.order.is_empty() && !smaller {
                     self.order.clear();
-                    *image = last_image;
+                    copy(&last_image.x, &mut image.x);
+                    copy(&last_image.state, &mut image.state);
+                    self.spare = Some((last_residual, last_image));
                     return;
                 }
                 self.remember(last_residual, last_image, image);
@@ -83,6 +88,16 @@ impl Anderson {
             image.x.axpy(-weight, &moved.x, 1.0);
             image.state.axpy(-weight, &moved.state, 1.0);
         }
+    }
+
+    /// Keeps f and G(x) of a first step, in the place of what was forgotten.
+    fn begin(&mut self, image: &Point) {
+        let nothing = || (DVector::zeros(0), Point { x: DVector::zeros(0), state: DVector::zeros(0) });
+        let (mut residual, mut point) = self.spare.take().unwrap_or_else(nothing);
+        copy(&self.residual, &mut residual);
+        copy(&image.x, &mut point.x);
+        copy(&image.state, &mut point.state);
+        self.last = Some((residual, point));
     }
 
     /// Puts the differences from the last step in place of the oldest ones, and keeps f and G(x).

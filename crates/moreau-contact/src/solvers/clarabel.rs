@@ -50,6 +50,10 @@ impl ContactSolver for ClarabelPolished {
         NAME
     }
 
+    fn takes_start(&self) -> bool {
+        false
+    }
+
     fn takes(&self, law: Law, _rows: usize, symmetric: bool) -> bool {
         symmetric && law.is_convex()
     }

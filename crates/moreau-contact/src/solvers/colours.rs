@@ -8,33 +8,61 @@ use crate::operator::MatrixFree;
 use crate::tolerance::sweeps::BLOCK;
 use std::ops::Range;
 
+/// Consecutive contacts in blocks of one size, of which the last may be smaller, and the numbers of the blocks, colour by colour.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Blocks {
+    pub size: usize,
+    pub colours: Vec<Vec<usize>>,
+}
+
+impl Blocks {
+    /// All contacts in one block.
+    pub fn one(contacts: usize) -> Self {
+        Blocks { size: contacts.max(1), colours: vec![vec![0]; usize::from(contacts > 0)] }
+    }
+
+    /// How many blocks there are.
+    pub fn count(&self) -> usize {
+        self.colours.iter().map(Vec::len).sum()
+    }
+
+    /// The blocks of the most frequent colour.
+    pub fn widest(&self) -> usize {
+        self.colours.iter().map(Vec::len).max().unwrap_or(0)
+    }
+
+    /// The contacts of a block.
+    pub fn range(&self, block: usize, contacts: usize) -> Range<usize> {
+        block * self.size..((block + 1) * self.size).min(contacts)
+    }
+}
+
 /// The blocks of contacts, colour by colour.
-pub(super) fn coloured(free: &MatrixFree) -> Vec<Vec<Range<usize>>> {
+pub(super) fn coloured(free: &MatrixFree) -> Blocks {
     colour(free, BLOCK)
 }
 
-fn colour(free: &MatrixFree, size: usize) -> Vec<Vec<Range<usize>>> {
-    let mut colours: Vec<Vec<Range<usize>>> = Vec::new();
+fn colour(free: &MatrixFree, size: usize) -> Blocks {
+    let (contacts, mut blocks) = (free.contacts(), Blocks { size, colours: Vec::new() });
     // of every body the colours of the blocks that touch it
     let mut taken: Vec<Vec<u32>> = vec![Vec::new(); free.jacobian().body_count()];
-    for first in (0..free.contacts()).step_by(size) {
-        let block = first..(first + size).min(free.contacts());
-        let touched = || block.clone().flat_map(|k| free.jacobian().bodies(k));
-        let mut forbidden = vec![false; colours.len() + 1];
+    for block in 0..contacts.div_ceil(size) {
+        let touched = || blocks.range(block, contacts).flat_map(|k| free.jacobian().bodies(k));
+        let mut forbidden = vec![false; blocks.colours.len() + 1];
         touched().flat_map(|body| &taken[*body as usize]).for_each(|colour| forbidden[*colour as usize] = true);
         let colour = forbidden.iter().position(|forbidden| !forbidden).expect("a new colour is not forbidden");
-        for body in block.clone().flat_map(|k| free.jacobian().bodies(k)) {
+        for body in touched() {
             let own = &mut taken[*body as usize];
             if own.last() != Some(&(colour as u32)) {
                 own.push(colour as u32);
             }
         }
-        if colour == colours.len() {
-            colours.push(Vec::new());
+        if colour == blocks.colours.len() {
+            blocks.colours.push(Vec::new());
         }
-        colours[colour].push(block);
+        blocks.colours[colour].push(block);
     }
-    colours
+    blocks
 }
 
 #[cfg(test)]
@@ -55,17 +83,19 @@ mod tests {
     fn blocks_of_one_colour_share_no_body_and_every_contact_is_in_one() {
         for (n, size) in [(1, 4), (10, 1), (10, 3), (100, 7)] {
             let free = chain(n);
-            let colours = colour(&free, size);
-            assert_eq!(colours.len(), if n <= size { 1 } else { 2 }, "a chain takes two colours");
-            let mut contacts: Vec<usize> = colours.iter().flatten().cloned().flatten().collect();
+            let coloured = colour(&free, size);
+            assert_eq!(coloured.colours.len(), if n <= size { 1 } else { 2 }, "a chain takes two colours");
+            let mut contacts: Vec<usize> = coloured.colours.iter().flatten().flat_map(|block| coloured.range(*block, n)).collect();
             contacts.sort_unstable();
             assert_eq!(contacts, (0..n).collect::<Vec<_>>());
-            for blocks in &colours {
-                let bodies: Vec<HashSet<u32>> =
-                    blocks.iter().map(|block| block.clone().flat_map(|k| free.jacobian().bodies(k)).copied().collect()).collect();
+            assert_eq!(coloured.count(), n.div_ceil(size));
+            for blocks in &coloured.colours {
+                let bodies_of = |block: &usize| coloured.range(*block, n).flat_map(|k| free.jacobian().bodies(k)).copied().collect();
+                let bodies: Vec<HashSet<u32>> = blocks.iter().map(bodies_of).collect();
                 assert!((0..bodies.len()).all(|a| (0..a).all(|b| bodies[a].is_disjoint(&bodies[b]))));
             }
         }
-        assert!(colour(&chain(0), 4).is_empty());
+        assert!(colour(&chain(0), 4).colours.is_empty() && Blocks::one(0).colours.is_empty());
+        assert_eq!((Blocks::one(7).count(), Blocks::one(7).range(0, 7)), (1, 0..7));
     }
 }

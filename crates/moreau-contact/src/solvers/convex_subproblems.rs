@@ -18,7 +18,9 @@
 use super::stopping::Stopping;
 use super::{ContactSolver, InteriorPoint, NonsmoothNewton};
 use crate::certificate::Judge;
+use crate::cones::second_order::tangential_norm;
 use crate::problem::{ContactProblem, Law, Solution};
+use crate::tolerance::problem::LARGEST;
 use crate::tolerance::{first_order, solvers as tolerance};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -65,6 +67,11 @@ impl ContactSolver for ConvexSubproblems {
         let mut impulse = super::start(problem, warm_start)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
         let mut lift = lift_of(problem, &problem.law_velocity(&impulse));
+        if !lift.iter().all(|lift| *lift <= LARGEST) {
+            // a start at which no number holds the slip tells nothing
+            impulse.fill(0.0);
+            lift = lift_of(problem, &problem.law_velocity(&impulse));
+        }
         let mut convex = problem.clone();
         let (mut best, mut theta, mut before, mut done) = ((f64::INFINITY, impulse.clone()), 1.0_f64, f64::INFINITY, 0);
         loop {
@@ -83,7 +90,7 @@ impl ContactSolver for ConvexSubproblems {
                 before = size;
                 lift += change * theta;
             }
-            (convex, impulse) = subproblem(problem, convex, &lift, &impulse)?;
+            (convex, impulse) = super::watch::unnoted(|| subproblem(problem, convex, &lift, &impulse))?;
             done += 1;
         }
         let velocity = problem.velocity(&best.1);
@@ -94,8 +101,7 @@ impl ContactSolver for ConvexSubproblems {
 /// μ‖y_t‖ of every contact \[m/s\].
 fn lift_of(problem: &ContactProblem, law_velocity: &DVector<f64>) -> DVector<f64> {
     let contacts = law_velocity.as_slice().chunks_exact(problem.rows_per_contact());
-    let slip = |y: &[f64]| y[1..].iter().map(|t| t * t).sum::<f64>().sqrt();
-    DVector::from_iterator(problem.contacts(), contacts.zip(problem.friction()).map(|(y, mu)| mu * slip(y)))
+    DVector::from_iterator(problem.contacts(), contacts.zip(problem.friction()).map(|(y, mu)| mu * tangential_norm(y)))
 }
 
 /// The associated problem with this lift, and its impulses.

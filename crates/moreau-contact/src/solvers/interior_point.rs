@@ -60,6 +60,10 @@ impl ContactSolver for InteriorPoint {
         Some(self.steps)
     }
 
+    fn takes_start(&self) -> bool {
+        false
+    }
+
     fn takes(&self, law: Law, _rows: usize, _symmetric: bool) -> bool {
         law.directions().is_none()
     }

@@ -11,6 +11,7 @@
 use super::ContactSolver;
 use crate::problem::{ContactProblem, JointedProblem, Solution};
 use crate::tolerance::joints::{AGREES, DEPENDENT, INDEPENDENT};
+use moreau_exact::error::Failure;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -177,6 +178,17 @@ impl<'a> System<'a> {
     }
 }
 
+/// A refusal says what was asked: a solver that needs mass and Jacobian would otherwise ask for those that the file has.
+fn without_mechanism(error: Error) -> Error {
+    match error {
+        Error::Solver { solver, failure: Failure::Refused, reason } => {
+            let asked = "of what is left of the contacts once the joints are eliminated, W alone without mass and Jacobian";
+            Error::refused(solver, format!("{reason} (it was asked {asked})"))
+        }
+        other => other,
+    }
+}
+
 /// Solves a problem with joints by a solver for contacts, from the impulses of all rows `warm_start` if given.
 ///
 /// # Errors
@@ -189,7 +201,7 @@ pub fn solve_jointed(problem: &JointedProblem, solver: &dyn ContactSolver, warm_
     let start = warm_start.map(|all| problem.spread(all));
     let found = match left.contacts().contacts() {
         0 => Solution::new(solver.name(), DVector::zeros(0), DVector::zeros(0), 0),
-        _ => solver.solve(left.contacts(), start.as_ref())?,
+        _ => solver.solve(left.contacts(), start.as_ref()).map_err(without_mechanism)?,
     };
     let mut impulse = DVector::zeros(problem.rows());
     problem.gather(&found.impulse, &mut impulse);

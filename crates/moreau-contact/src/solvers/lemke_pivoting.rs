@@ -32,6 +32,10 @@ impl ContactSolver for LemkePivoting {
         NAME
     }
 
+    fn takes_start(&self) -> bool {
+        false
+    }
+
     fn takes(&self, law: Law, rows: usize, _symmetric: bool) -> bool {
         rows <= 2 || !matches!(law, Law::Coulomb | Law::Associated)
     }

@@ -42,6 +42,7 @@ mod anderson;
 mod auto;
 mod barzilai_borwein;
 mod block_elimination;
+mod block_sweep;
 #[cfg(feature = "clarabel")]
 mod clarabel;
 mod colours;
@@ -50,12 +51,16 @@ mod convex_subproblems;
 mod elimination;
 mod elimination_tree;
 pub mod enumeration;
+mod fischer_burmeister;
+mod fischer_burmeister_equations;
+mod fischer_burmeister_map;
 mod friction_equations;
 mod friction_set;
 mod front;
 pub mod gauss;
 mod interior_point;
 mod joints;
+mod least_norm;
 pub mod lemke;
 mod lemke_outcome;
 mod lemke_pivoting;
@@ -72,10 +77,12 @@ mod principal_pivoting;
 mod principal_tableau;
 mod projected_gauss_seidel;
 mod projected_over_relaxation;
+mod proximal_newton;
 mod shifted_operator;
 mod stopping;
 mod swept;
 mod table;
+pub mod threads;
 mod velocity_elimination;
 pub mod watch;
 
@@ -87,10 +94,12 @@ pub use barzilai_borwein::BarzilaiBorwein;
 pub use clarabel::{ClarabelPolished, Polished};
 pub use convex_subproblems::ConvexSubproblems;
 pub use enumeration::Enumeration;
+pub use fischer_burmeister::FischerBurmeister;
 pub use friction_equations::FrictionEquations;
 pub use gauss::GaussNewton;
 pub use interior_point::InteriorPoint;
 pub use joints::{WithoutJoints, solve_jointed};
+pub use least_norm::least_norm;
 pub use lemke_pivoting::LemkePivoting;
 pub use line_root::LineRoot;
 pub use newton_min::NewtonMin;
@@ -98,6 +107,7 @@ pub use nonsmooth_newton::NonsmoothNewton;
 pub use principal_pivoting::{Murty, ParametricPivoting, PrincipalOutcome};
 pub use projected_gauss_seidel::ProjectedGaussSeidel;
 pub use projected_over_relaxation::ProjectedOverRelaxation;
+pub use proximal_newton::ProximalNewton;
 pub use table::{SolverEntry, Solvers};
 
 use linear_form::on_support;
@@ -118,6 +128,10 @@ pub trait ContactSolver: Send + Sync {
     /// Its own limit of iterations, if it has one.
     fn iteration_limit(&self) -> Option<usize> {
         None
+    }
+    /// Whether it starts from impulses that are given; a method that begins at a start of its own checks them and leaves them.
+    fn takes_start(&self) -> bool {
+        true
     }
     /// Whether the algorithm is made for this law, at contacts of `rows` rows each, with a W that is symmetric or not. What else a problem
     /// may lack (a compliance, the mass, a definite block) is told by [`solve`](ContactSolver::solve), which refuses it.

@@ -84,14 +84,41 @@ impl ContactSolver for NonsmoothNewton {
         if !NonsmoothNewton::fits(problem) {
             return Err(Error::refused(self.name(), "does not solve a compliance on edges, of which the impulse is not a function"));
         }
-        let mut equations = Equations::new(problem, self.equations)?;
+        self.solve_with(problem, warm_start, Self::systems(problem).as_mut())
+    }
+}
+
+impl NonsmoothNewton {
+    /// With Jean and Moreau's equations.
+    pub fn jean_moreau() -> Self {
+        NonsmoothNewton { equations: FrictionEquations::JeanMoreau, ..Default::default() }
+    }
+
+    /// Whether the law of this problem is a function of impulse and velocity.
+    pub fn fits(problem: &ContactProblem) -> bool {
+        problem.compliance().is_none_or(|compliance| compliance.coordinates == Coordinates::Contact)
+    }
+
+    /// What solves with J where W is stored by blocks; it serves for every problem with this W.
+    pub(super) fn systems(problem: &ContactProblem) -> Option<ContactSystems> {
+        problem.delassus().blocks().map(|w| ContactSystems::new(problem, w))
+    }
+
+    /// As [`ContactSolver::solve`] on a problem that [`fits`](Self::fits), with the systems of its W.
+    pub(super) fn solve_with(
+        &self,
+        problem: &ContactProblem,
+        warm_start: Option<&DVector<f64>>,
+        systems: Option<&mut ContactSystems>,
+    ) -> Result<Solution> {
+        let mut equations = Equations::new(problem, self.equations, systems)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
         let start = super::start(problem, warm_start)?;
         let mut best = (f64::INFINITY, start.clone());
         let mut steps = 0;
         for proximals in tolerance::NONSMOOTH_PROXIMALS.into_iter().take(self.starts) {
             let (mut impulse, mut least, mut mark, mut since) = (start.clone(), f64::INFINITY, f64::INFINITY, 0);
-            for _ in 0..=self.steps {
+            for taken in 0..=self.steps {
                 let law_velocity = problem.law_velocity(&impulse);
                 let relative = stopping.relative(&impulse, &law_velocity);
                 since += 1;
@@ -103,7 +130,7 @@ impl ContactSolver for NonsmoothNewton {
                     best = (relative, impulse.clone());
                 }
                 let patience = if least <= tolerance::ACCEPTABLE { tolerance::NONSMOOTH_ENDED } else { tolerance::NONSMOOTH_STALLED };
-                if relative <= self.tolerance || since >= patience || super::watch::is_over() {
+                if relative <= self.tolerance || since >= patience || taken == self.steps || super::watch::is_over() {
                     break;
                 }
                 let Some(next) = equations.step(&impulse, &law_velocity, proximals) else { break };
@@ -120,18 +147,6 @@ impl ContactSolver for NonsmoothNewton {
     }
 }
 
-impl NonsmoothNewton {
-    /// With Jean and Moreau's equations.
-    pub fn jean_moreau() -> Self {
-        NonsmoothNewton { equations: FrictionEquations::JeanMoreau, ..Default::default() }
-    }
-
-    /// Whether the law of this problem is a function of impulse and velocity.
-    pub fn fits(problem: &ContactProblem) -> bool {
-        problem.compliance().is_none_or(|compliance| compliance.coordinates == Coordinates::Contact)
-    }
-}
-
 /// F and J of a problem.
 struct Equations<'a> {
     problem: &'a ContactProblem,
@@ -142,19 +157,18 @@ struct Equations<'a> {
     /// W + R where it is stored densely; blocks are taken as they are.
     operator: Option<DMatrix<f64>>,
     /// What solves with J where W is stored by blocks.
-    systems: Option<ContactSystems>,
+    systems: Option<&'a mut ContactSystems>,
     /// ρ_n, ρ_t per contact \[kg\].
     weights: Vec<[f64; 2]>,
 }
 
 impl<'a> Equations<'a> {
-    fn new(problem: &'a ContactProblem, radius: FrictionEquations) -> Result<Self> {
+    fn new(problem: &'a ContactProblem, radius: FrictionEquations, systems: Option<&'a mut ContactSystems>) -> Result<Self> {
         let set = match problem.law().directions() {
             Some(directions) if problem.rows_per_contact() == 3 => FrictionSet::Polygon { directions },
             _ => FrictionSet::Disk,
         };
         let operator = problem.delassus().blocks().is_none().then(|| problem.law_delassus()).transpose()?;
-        let systems = problem.delassus().blocks().map(|w| ContactSystems::new(problem, w));
         Ok(Equations { problem, radius, set, operator, systems, weights: Judge::weights(problem) })
     }
 
@@ -324,7 +338,8 @@ mod tests {
                 let stored = by_blocks(&problem);
                 let velocity = problem.law_velocity(&impulse);
                 let [dense, blocks] = [&problem, &stored].map(|problem| {
-                    let mut equations = Equations::new(problem, FrictionEquations::AlartCurnier).unwrap();
+                    let mut systems = NonsmoothNewton::systems(problem);
+                    let mut equations = Equations::new(problem, FrictionEquations::AlartCurnier, systems.as_mut()).unwrap();
                     let (residual, slopes) = equations.linearise(&impulse, &velocity, 1e-3);
                     equations.direction(&slopes, &-residual).unwrap()
                 });
@@ -338,7 +353,7 @@ mod tests {
     /// The largest difference of the Jacobian of one from the differences of F of the other, and what rounding and curvature leave.
     fn difference(problem: &ContactProblem, slopes_of: FrictionEquations, values_of: FrictionEquations) -> [f64; 2] {
         let (step, eta) = (crate::tolerance::cones::DIFFERENCE_STEP, tolerance::NONSMOOTH_PROXIMALS[0][1]);
-        let [slopes_of, values_of] = [slopes_of, values_of].map(|radius| Equations::new(problem, radius).unwrap());
+        let [slopes_of, values_of] = [slopes_of, values_of].map(|radius| Equations::new(problem, radius, None).unwrap());
         // one contact presses and sticks or slides, one is open
         let impulse = DVector::from_vec(vec![0.4, -0.05, 0.02, 0.3, -0.1, -0.1, -0.8, 0.0, 0.0, 0.1, 0.3, 0.2]);
         let slopes = slopes_of.linearise(&impulse, &problem.law_velocity(&impulse), eta).1;

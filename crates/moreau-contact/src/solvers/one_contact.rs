@@ -21,7 +21,7 @@ use crate::tolerance::{
 use nalgebra::{Cholesky, Matrix3, Vector3};
 
 /// A contact that is prepared once and solved for many q.
-pub(super) trait OneContact {
+pub(super) trait OneContact: Send {
     /// A by rows, padded to 3 × 3: what the solution is exact for.
     fn block(&self) -> &[f64; 9];
 

@@ -31,7 +31,18 @@ pub fn finite(solution: Solution) -> Result<Solution> {
     if solution.impulse.iter().chain(&solution.velocity).all(|x| x.is_finite()) {
         return Ok(solution);
     }
-    Err(Error::breakdown(&solution.solver, "ended with impulses or velocities too large for a number; rescale the units of the problem"))
+    let reason = "ended with impulses or velocities too large for a number; ask another solver, for its impulses may grow without \
+                  end where W + R is not positive semidefinite, or rescale the units of the problem";
+    Err(Error::breakdown(&solution.solver, reason))
+}
+
+/// Makes one vector another one's copy; it takes memory only where their sizes differ.
+pub(super) fn copy(from: &DVector<f64>, to: &mut DVector<f64>) {
+    if to.len() == from.len() {
+        to.copy_from(from);
+    } else {
+        *to = from.clone();
+    }
 }
 
 /// R of one contact row \[1/kg\], zero if the problem is hard or its compliance acts on edges.

@@ -152,6 +152,10 @@ impl ContactSolver for Murty {
         MURTY
     }
 
+    fn takes_start(&self) -> bool {
+        false
+    }
+
     fn takes(&self, law: Law, _rows: usize, _symmetric: bool) -> bool {
         law == Law::Frictionless
     }
@@ -164,6 +168,10 @@ impl ContactSolver for Murty {
 impl ContactSolver for ParametricPivoting {
     fn name(&self) -> &'static str {
         PARAMETRIC
+    }
+
+    fn takes_start(&self) -> bool {
+        false
     }
 
     fn takes(&self, law: Law, _rows: usize, _symmetric: bool) -> bool {

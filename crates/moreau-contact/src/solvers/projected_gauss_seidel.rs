@@ -17,7 +17,10 @@
 
 use super::ContactSolver;
 use super::anderson::{Anderson, Point};
+use super::block_sweep::{Change, Sweep};
+use super::colours::Blocks;
 use super::one_contact::{Associated, Coulomb, Frictionless, OneContact, Polyhedral, is_definite};
+use super::parts::copy;
 use super::stopping::Stopping;
 use super::swept::{Bodies, Free, Stored, Swept};
 use crate::problem::{ContactProblem, Law, Solution};
@@ -25,7 +28,6 @@ use crate::tolerance::solvers as tolerance;
 use crate::tolerance::sweeps::{LOOK, PREDICTED};
 use moreau_exact::{Error, Result};
 use nalgebra::{DVector, Matrix3};
-use std::ops::Range;
 
 /// Block projected Gauss–Seidel for the frictionless, Coulomb and associated laws and, at spatial contacts, polyhedral Coulomb; W may be
 /// asymmetric and rank deficient.
@@ -130,12 +132,14 @@ impl ProjectedGaussSeidel {
     }
 }
 
-/// What a sweep works on: no sweep allocates.
+/// What a sweep works on: a sweep in one thread allocates nothing.
 struct Sweeper<'a, S, L, const D: usize> {
     problem: &'a ContactProblem,
     swept: S,
     contacts: Vec<L>,
-    order: Vec<Range<usize>>,
+    blocks: Blocks,
+    /// Of every block what the last sweep changed.
+    changes: Vec<Change>,
     stopping: Stopping<'a>,
     /// r \[N·s\], and what the sweep keeps beside it.
     point: Point,
@@ -174,7 +178,7 @@ impl Best {
     fn offer(&mut self, relative: f64, impulse: &DVector<f64>, sweep: usize) {
         if relative < self.relative || self.impulse.is_empty() {
             self.relative = relative;
-            self.impulse.clone_from(impulse);
+            copy(impulse, &mut self.impulse);
         }
         if self.relative < 0.5 * self.mark.0 {
             self.mark = (self.relative, sweep);
@@ -184,13 +188,15 @@ impl Best {
 
 impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
     fn new(problem: &'a ContactProblem, swept: S, contacts: Vec<L>, start: DVector<f64>, solver: &ProjectedGaussSeidel) -> Self {
-        let state = DVector::from_vec(swept.state(start.as_slice()));
-        let order = swept.order();
+        let mut state = DVector::zeros(swept.size());
+        swept.set_state(start.as_slice(), state.as_mut_slice());
+        let blocks = swept.blocks();
         Sweeper {
             problem,
             swept,
             contacts,
-            order,
+            changes: vec![Change::default(); blocks.count()],
+            blocks,
             stopping: Stopping::new(problem, solver.tolerance),
             law_velocity: DVector::zeros(start.len()),
             point: Point { x: start, state },
@@ -239,7 +245,7 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
         let mut before = self.point.x.clone();
         let mut relative = self.begin(solver);
         while relative > solver.tolerance && self.sweeps < solver.sweeps && !self.has_stalled(patience) && !super::watch::is_over() {
-            before.clone_from(&self.point.x);
+            copy(&self.point.x, &mut before);
             let goes_on = self.sweep() && self.look.change.is_finite() && self.sweeps < solver.sweeps;
             if !goes_on || self.is_due(solver.tolerance) {
                 relative = self.measure();
@@ -274,31 +280,18 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
 
     /// Solves every contact once; returns whether any impulse changed.
     fn sweep(&mut self) -> bool {
-        let Sweeper { swept, contacts, order, point, .. } = self;
-        let (impulses, state) = (point.x.as_mut_slice().as_chunks_mut::<D>().0, point.state.as_mut_slice());
-        let mut squares = 0.0;
-        let mut moved = false;
-        for k in order.iter().cloned().flatten() {
-            let (impulse, contact) = (&mut impulses[k], &mut contacts[k]);
-            let new = contact.solve(without(contact.block(), impulse, &swept.at(k, impulse, state)));
-            let mut change = [0.0; D];
-            (0..D).for_each(|row| change[row] = new[row] - impulse[row]);
-            impulse.copy_from_slice(&new[..D]);
-            if change.iter().any(|change| *change != 0.0) {
-                moved = true;
-                squares += contact.block()[0] * change.iter().map(|change| change * change).sum::<f64>();
-                swept.push(k, &change, state);
-            }
-        }
+        let Sweeper { swept, contacts, blocks, changes, point, .. } = self;
+        let impulses = point.x.as_mut_slice().as_chunks_mut::<D>().0;
+        swept.sweep(Sweep { blocks, contacts, impulses, changes }, point.state.as_mut_slice());
         self.sweeps += 1;
-        self.look.change = squares.sqrt();
-        moved
+        self.look.change = changes.iter().map(|change| change.squares).sum::<f64>().sqrt();
+        changes.iter().any(|change| change.moved)
     }
 
     /// The largest relative residual, with y computed afresh.
     fn measure(&mut self) -> f64 {
         let Sweeper { swept, point, law_velocity, .. } = self;
-        point.state = DVector::from_vec(swept.state(point.x.as_slice()));
+        swept.set_state(point.x.as_slice(), point.state.as_mut_slice());
         swept.law_velocity(point.x.as_slice(), point.state.as_slice(), law_velocity.as_mut_slice());
         let relative = self.stopping.relative(&self.point.x, &self.law_velocity);
         self.best.offer(relative, &self.point.x, self.sweeps);
@@ -306,17 +299,6 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
         self.look = Look { ratio, next: self.sweeps + self.sweeps.clamp(1, LOOK), ..self.look };
         relative
     }
-}
-
-/// q = y − A r, padded: the velocity of the contact without its own impulse.
-#[inline(always)]
-fn without<const D: usize>(block: &[f64; 9], impulse: &[f64; D], velocity: &[f64; D]) -> [f64; 3] {
-    let mut q = [0.0; 3];
-    for row in 0..D {
-        let own: f64 = (0..D).map(|column| block[3 * row + column] * impulse[column]).sum();
-        q[row] = velocity[row] - own;
-    }
-    q
 }
 
 /// Contact k alone, with its padded block made definite, and symmetric where its law needs it. The difference from W_kk + R_kk

@@ -1,5 +1,6 @@
 //! When an iteration may stop, and how good an answer is on the way: the certificate's own measure of the worst contact.
 
+use super::parts::copy;
 use super::watch;
 use crate::certificate::Judge;
 use crate::problem::{ContactProblem, Solution};
@@ -42,7 +43,7 @@ impl<'a> Stopping<'a> {
     }
 
     fn evaluate(&mut self, impulse: &DVector<f64>, law_velocity: &DVector<f64>) -> f64 {
-        self.answer.impulse.clone_from(impulse);
+        copy(impulse, &mut self.answer.impulse);
         self.calls += 1;
         if self.calls % FRESH_ROUNDING != 1 {
             let measured = self.measure(law_velocity);

@@ -6,14 +6,22 @@
 //! ```
 //! Since both are affine, the state at a combination of impulses with weights that sum to one is the same combination of the states.
 
+use super::block_sweep::{Surroundings, Sweep, share};
+use super::colours::{Blocks, coloured};
+use super::one_contact::OneContact;
+use super::threads;
 use crate::operator::{BlockRows, MatrixFree};
 use crate::problem::{Compliance, ContactProblem, Coordinates};
-use std::ops::Range;
+use crate::tolerance::sweeps::THREADED;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 /// W as a sweep over contacts of D rows sees it.
-pub(super) trait Swept<const D: usize> {
-    /// The state at these impulses.
-    fn state(&self, impulse: &[f64]) -> Vec<f64>;
+pub(super) trait Swept<const D: usize>: Sized {
+    /// How many numbers the state is.
+    fn size(&self) -> usize;
+
+    /// Overwrites the state with that at these impulses.
+    fn set_state(&self, impulse: &[f64], state: &mut [f64]);
 
     /// y of all contacts, from the state at these impulses.
     fn law_velocity(&self, impulse: &[f64], state: &[f64], law_velocity: &mut [f64]);
@@ -24,16 +32,43 @@ pub(super) trait Swept<const D: usize> {
     /// Brings the state up to the change of one contact's impulse.
     fn push(&self, contact: usize, change: &[f64; D], state: &mut [f64]);
 
-    /// The order of the contacts, as ranges.
-    fn order(&self) -> Vec<Range<usize>>;
+    /// The order of the contacts.
+    fn blocks(&self) -> Blocks;
+
+    /// Solves every contact once, and brings the state up to the changes.
+    fn sweep<L: OneContact>(&self, sweep: Sweep<L, D>, state: &mut [f64]) {
+        sweep.one_after_another(&mut Around { swept: self, state });
+    }
+}
+
+/// What one contact sees where one thread has the whole state.
+struct Around<'a, S> {
+    swept: &'a S,
+    state: &'a mut [f64],
+}
+
+impl<S: Swept<D>, const D: usize> Surroundings<D> for Around<'_, S> {
+    #[inline(always)]
+    fn at(&self, contact: usize, impulse: &[f64; D]) -> [f64; D] {
+        self.swept.at(contact, impulse, self.state)
+    }
+
+    #[inline(always)]
+    fn push(&mut self, contact: usize, change: &[f64; D]) {
+        self.swept.push(contact, change, self.state);
+    }
 }
 
 /// A W that is stored: the state is y.
 pub(super) struct Stored<'a>(pub(super) &'a ContactProblem);
 
 impl<const D: usize> Swept<D> for Stored<'_> {
-    fn state(&self, impulse: &[f64]) -> Vec<f64> {
-        self.0.law_velocity(&nalgebra::DVector::from_column_slice(impulse)).as_slice().to_vec()
+    fn size(&self) -> usize {
+        self.0.rows()
+    }
+
+    fn set_state(&self, impulse: &[f64], state: &mut [f64]) {
+        self.0.write_law_velocity(impulse, state);
     }
 
     fn law_velocity(&self, _impulse: &[f64], state: &[f64], law_velocity: &mut [f64]) {
@@ -50,8 +85,8 @@ impl<const D: usize> Swept<D> for Stored<'_> {
         self.0.add_contact(contact, change, state);
     }
 
-    fn order(&self) -> Vec<Range<usize>> {
-        std::iter::once(0..self.0.contacts()).collect()
+    fn blocks(&self) -> Blocks {
+        Blocks::one(self.0.contacts())
     }
 }
 
@@ -94,8 +129,12 @@ impl<'a> Free<'a> {
 }
 
 impl<const D: usize> Swept<D> for Free<'_> {
-    fn state(&self, impulse: &[f64]) -> Vec<f64> {
-        self.free.body_velocity(impulse)
+    fn size(&self) -> usize {
+        self.free.inverse().len()
+    }
+
+    fn set_state(&self, impulse: &[f64], state: &mut [f64]) {
+        self.free.write_body_velocity(impulse, state);
     }
 
     fn law_velocity(&self, impulse: &[f64], state: &[f64], law_velocity: &mut [f64]) {
@@ -112,8 +151,8 @@ impl<const D: usize> Swept<D> for Free<'_> {
         self.free.push(contact, change, state);
     }
 
-    fn order(&self) -> Vec<Range<usize>> {
-        super::colours::coloured(self.free).into_iter().flatten().collect()
+    fn blocks(&self) -> Blocks {
+        coloured(self.free)
     }
 }
 
@@ -134,47 +173,38 @@ pub(super) struct Bodies<'a, const P: usize> {
     left: &'a [[Pair; P]],
     right: &'a [[Pair; P]],
     inverse: &'a [[Pair; P]],
+    /// The state while several threads have it; empty where one has it.
+    shared: Vec<[SharedPair; P]>,
+    threads: usize,
 }
+
+/// The bits of two numbers that threads share.
+type SharedPair = [AtomicU64; 2];
 
 impl<'a, const P: usize> Bodies<'a, P> {
     /// W, if its bodies have 2 P velocities each.
     pub(super) fn new(problem: &'a ContactProblem, free: &'a MatrixFree) -> Option<Self> {
+        let threads = if free.contacts() < THREADED { 1 } else { threads::limit().get() };
+        Bodies::with_threads(problem, free, threads)
+    }
+
+    /// [`Bodies::new`] for so many threads, however small the problem is.
+    pub(super) fn with_threads(problem: &'a ContactProblem, free: &'a MatrixFree, threads: usize) -> Option<Self> {
         let [left, right, inverse] =
             [free.left(), free.right(), free.inverse()].map(|numbers| numbers.as_chunks::<2>().0.as_chunks::<P>().0);
-        (free.jacobian().equal_velocities() == Some(2 * P)).then(|| Bodies { free, given: Given::of(problem), left, right, inverse })
-    }
-}
-
-/// The blocks of a contact, each with its body.
-#[inline(always)]
-fn touched<'a, const D: usize, const P: usize>(
-    rows: &'a BlockRows,
-    blocks: &'a [[Pair; P]],
-    contact: usize,
-) -> impl Iterator<Item = (&'a [[Pair; P]; D], usize)> {
-    let range = rows.blocks(contact);
-    let blocks = blocks[range.start * D..range.end * D].as_chunks::<D>().0;
-    blocks.iter().zip(rows.bodies(contact).iter().map(|body| *body as usize))
-}
-
-impl<const D: usize, const P: usize> Swept<D> for Bodies<'_, P> {
-    fn state(&self, impulse: &[f64]) -> Vec<f64> {
-        let mut state = vec![0.0; self.inverse.len() * 2 * P];
-        let contacts = impulse.as_chunks::<D>().0.iter().enumerate();
-        contacts.filter(|(_, r)| r.iter().any(|r| *r != 0.0)).for_each(|(k, r)| self.push(k, r, &mut state));
-        state
+        let nothing = |_| std::array::from_fn(|_| std::array::from_fn(|_| AtomicU64::new(0)));
+        (free.jacobian().equal_velocities() == Some(2 * P)).then(|| {
+            let shared = (0..if threads > 1 { inverse.len() } else { 0 }).map(nothing).collect();
+            Bodies { free, given: Given::of(problem), left, right, inverse, shared, threads }
+        })
     }
 
-    fn law_velocity(&self, impulse: &[f64], state: &[f64], law_velocity: &mut [f64]) {
-        each_contact::<D>(self, impulse, state, law_velocity);
-    }
-
+    /// y of one contact, from the velocities of its bodies.
     #[inline(always)]
-    fn at(&self, contact: usize, impulse: &[f64; D], state: &[f64]) -> [f64; D] {
-        let (mut y, bodies) = (self.given.at(contact, impulse), state.as_chunks::<2>().0.as_chunks::<P>().0);
-        let mut sums = [[0.0; 2]; D];
+    fn velocity<const D: usize>(&self, contact: usize, impulse: &[f64; D], of: impl Fn(usize) -> [Pair; P]) -> [f64; D] {
+        let (mut y, mut sums) = (self.given.at(contact, impulse), [[0.0; 2]; D]);
         for (block, body) in touched::<D, P>(self.free.jacobian(), self.left, contact) {
-            let w = bodies[body];
+            let w = of(body);
             for row in 0..D {
                 // a sum of its own for each body: the processor forms them side by side
                 let mut own = [block[row][0][0] * w[0][0], block[row][0][1] * w[0][1]];
@@ -190,9 +220,9 @@ impl<const D: usize, const P: usize> Swept<D> for Bodies<'_, P> {
         y
     }
 
+    /// What the change of one contact's impulse adds to the velocities of its bodies.
     #[inline(always)]
-    fn push(&self, contact: usize, change: &[f64; D], state: &mut [f64]) {
-        let bodies = state.as_chunks_mut::<2>().0.as_chunks_mut::<P>().0;
+    fn pushed<const D: usize>(&self, contact: usize, change: &[f64; D], mut add: impl FnMut(usize, [Pair; P])) {
         for (block, body) in touched::<D, P>(self.free.jacobian(), self.right, contact) {
             let mut pushed = [[0.0; 2]; P];
             for row in 0..D {
@@ -200,16 +230,110 @@ impl<const D: usize, const P: usize> Swept<D> for Bodies<'_, P> {
                     add_product(&mut pushed[pair], block[row][pair], [change[row]; 2]);
                 }
             }
-            let (mut w, inverse) = (bodies[body], &self.inverse[body]);
-            for pair in 0..P {
-                add_product(&mut w[pair], inverse[pair], pushed[pair]);
-            }
-            bodies[body] = w;
+            let inverse = &self.inverse[body];
+            (0..P).for_each(|pair| pushed[pair] = [inverse[pair][0] * pushed[pair][0], inverse[pair][1] * pushed[pair][1]]);
+            add(body, pushed);
         }
     }
+}
 
-    fn order(&self) -> Vec<Range<usize>> {
-        super::colours::coloured(self.free).into_iter().flatten().collect()
+/// What one contact sees where several threads have the state: no two of them have a body in common.
+struct Shared<'a, 'b, const P: usize>(&'a Bodies<'b, P>);
+
+impl<const P: usize> Clone for Shared<'_, '_, P> {
+    fn clone(&self) -> Self {
+        Shared(self.0)
+    }
+}
+
+impl<const D: usize, const P: usize> Surroundings<D> for Shared<'_, '_, P> {
+    #[inline(always)]
+    fn at(&self, contact: usize, impulse: &[f64; D]) -> [f64; D] {
+        self.0.velocity(contact, impulse, |body| load(&self.0.shared[body]))
+    }
+
+    #[inline(always)]
+    fn push(&mut self, contact: usize, change: &[f64; D]) {
+        self.0.pushed(contact, change, |body, added| {
+            let w = load(&self.0.shared[body]);
+            store(&self.0.shared[body], &std::array::from_fn(|pair| [w[pair][0] + added[pair][0], w[pair][1] + added[pair][1]]));
+        });
+    }
+}
+
+#[inline(always)]
+fn load<const P: usize>(shared: &[SharedPair; P]) -> [Pair; P] {
+    std::array::from_fn(|pair| std::array::from_fn(|one| f64::from_bits(shared[pair][one].load(Relaxed))))
+}
+
+#[inline(always)]
+fn store<const P: usize>(shared: &[SharedPair; P], velocity: &[Pair; P]) {
+    (0..P).for_each(|pair| (0..2).for_each(|one| shared[pair][one].store(velocity[pair][one].to_bits(), Relaxed)));
+}
+
+/// The blocks of a contact, each with its body.
+#[inline(always)]
+fn touched<'a, const D: usize, const P: usize>(
+    rows: &'a BlockRows,
+    blocks: &'a [[Pair; P]],
+    contact: usize,
+) -> impl Iterator<Item = (&'a [[Pair; P]; D], usize)> {
+    let range = rows.blocks(contact);
+    let blocks = blocks[range.start * D..range.end * D].as_chunks::<D>().0;
+    blocks.iter().zip(rows.bodies(contact).iter().map(|body| *body as usize))
+}
+
+impl<const D: usize, const P: usize> Swept<D> for Bodies<'_, P> {
+    fn size(&self) -> usize {
+        self.inverse.len() * 2 * P
+    }
+
+    fn set_state(&self, impulse: &[f64], state: &mut [f64]) {
+        state.fill(0.0);
+        let contacts = impulse.as_chunks::<D>().0.iter().enumerate();
+        contacts.filter(|(_, r)| r.iter().any(|r| *r != 0.0)).for_each(|(k, r)| self.push(k, r, state));
+    }
+
+    fn law_velocity(&self, impulse: &[f64], state: &[f64], law_velocity: &mut [f64]) {
+        each_contact::<D>(self, impulse, state, law_velocity);
+    }
+
+    #[inline(always)]
+    fn at(&self, contact: usize, impulse: &[f64; D], state: &[f64]) -> [f64; D] {
+        let bodies = state.as_chunks::<2>().0.as_chunks::<P>().0;
+        self.velocity(contact, impulse, |body| bodies[body])
+    }
+
+    #[inline(always)]
+    fn push(&self, contact: usize, change: &[f64; D], state: &mut [f64]) {
+        let bodies = state.as_chunks_mut::<2>().0.as_chunks_mut::<P>().0;
+        self.pushed(contact, change, |body, added| {
+            let w = &mut bodies[body];
+            (0..P).for_each(|pair| w[pair] = [w[pair][0] + added[pair][0], w[pair][1] + added[pair][1]]);
+        });
+    }
+
+    fn blocks(&self) -> Blocks {
+        coloured(self.free)
+    }
+
+    fn sweep<L: OneContact>(&self, sweep: Sweep<L, D>, state: &mut [f64]) {
+        let threads = self.threads.min(sweep.blocks.widest());
+        if threads < 2 {
+            return sweep.one_after_another(&mut Around { swept: self, state });
+        }
+        let (mut rest, mut shares) = (state.as_chunks_mut::<2>().0.as_chunks_mut::<P>().0, Vec::with_capacity(threads));
+        for range in (0..threads).map(|thread| share(thread, threads, self.shared.len())) {
+            let (own, others) = rest.split_at_mut(range.len());
+            shares.push((&self.shared[range], own));
+            rest = others;
+        }
+        sweep.side_by_side(
+            shares,
+            Shared(self),
+            |(shared, own)| shared.iter().zip(own.iter()).for_each(|(shared, velocity)| store(shared, velocity)),
+            |(shared, own)| shared.iter().zip(own.iter_mut()).for_each(|(shared, velocity)| *velocity = load(shared)),
+        );
     }
 }
 

@@ -4,8 +4,9 @@
 use super::ClarabelPolished;
 use super::watch::{Interrupt, watched};
 use super::{
-    AcceleratedProjectedGradient, AlternatingDirections, Auto, BarzilaiBorwein, ContactSolver, ConvexSubproblems, Enumeration, GaussNewton,
-    InteriorPoint, LemkePivoting, Murty, NewtonMin, NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation,
+    AcceleratedProjectedGradient, AlternatingDirections, Auto, BarzilaiBorwein, ContactSolver, ConvexSubproblems, Enumeration,
+    FischerBurmeister, GaussNewton, InteriorPoint, LemkePivoting, Murty, NewtonMin, NonsmoothNewton, ParametricPivoting,
+    ProjectedGaussSeidel, ProjectedOverRelaxation, ProximalNewton,
 };
 use crate::problem::ContactProblem;
 use crate::tolerance::solvers::{ASKED_ROWS, MOST_ITERATIONS, SYMMETRY};
@@ -80,6 +81,16 @@ const OWN: &[SolverEntry] = &[
         name: "jean-moreau",
         default: || Box::new(NonsmoothNewton::jean_moreau()),
         limited: Some(|limit| Box::new(NonsmoothNewton { steps: limit, ..NonsmoothNewton::jean_moreau() })),
+    },
+    SolverEntry {
+        name: "fischer-burmeister",
+        default: || Box::new(FischerBurmeister::default()),
+        limited: Some(|limit| Box::new(FischerBurmeister { steps: limit, ..Default::default() })),
+    },
+    SolverEntry {
+        name: "proximal-newton",
+        default: || Box::new(ProximalNewton::default()),
+        limited: Some(|limit| Box::new(ProximalNewton { steps: limit, ..Default::default() })),
     },
     SolverEntry {
         name: "interior-point",

@@ -71,6 +71,15 @@ pub(super) fn note(relative: f64) {
     });
 }
 
+/// Runs `solve` on another problem than the one that is watched, whose residuals are not noted; an interrupt ends it all the same.
+pub(super) fn unnoted<T>(solve: impl FnOnce() -> T) -> T {
+    let length = || WATCH.with_borrow(|watch| watch.as_ref().map_or(0, |watch| watch.seen.history.len()));
+    let before = length();
+    let result = solve();
+    WATCH.with_borrow_mut(|watch| watch.iter_mut().for_each(|watch| watch.seen.history.truncate(before)));
+    result
+}
+
 /// Whether the iteration that asks should end now.
 pub(super) fn is_over() -> bool {
     WATCH.with_borrow_mut(|watch| {
@@ -105,6 +114,16 @@ mod tests {
         assert!(seen.history.len() > 2 && *seen.history.last().unwrap() <= solver.tolerance, "{:?}", seen.history);
         assert_eq!(answer.unwrap(), solver.solve(&block(), None).unwrap(), "watching changes no bit");
         assert_eq!(watched(&Interrupt::default(), || ()).1, Seen::default());
+    }
+
+    #[test]
+    fn the_residuals_of_another_problem_are_not_noted() {
+        let (_, seen) = watched(&Interrupt::default(), || {
+            note(0.5);
+            unnoted(|| AlternatingDirections::default().solve(&block(), None).unwrap());
+            note(0.25);
+        });
+        assert_eq!(seen.history, [0.5, 0.25]);
     }
 
     #[test]

@@ -16,15 +16,16 @@ pub fn gamma(operations: usize) -> f64 {
 /// Derived.
 pub const PROJECTED: f64 = 8.0 * EPSILON;
 
-/// 10⁶, the largest mass ratio that the certificate covers. The scale of an impulse is at most this many times the impulse that the largest
-/// velocity of the problem asks of the contact. So a body between two that are 10⁶ times heavier is judged by its real load. An answer that
-/// is accepted at 10⁻⁸ is within a hundredth of those velocities, however hard contacts press.
+/// 10³: the scale of an impulse is at most this many times the impulse that the largest velocity of the problem asks of the contact. So the
+/// lowest of a thousand equal bodies is judged by its real load; a light body between heavier ones, and impulses that only push against
+/// each other, excuse no more. An answer that is accepted at 10⁻⁸ is within 10⁻⁵ of those velocities, however hard contacts press; double
+/// precision reaches that, for the rounding of a load 10⁶ times larger is 10⁻¹⁰ of them times the number of terms.
 /// Required: of every answer that is accepted, by the users of the certificate.
-pub const JAMMED: f64 = 1e6;
+pub const JAMMED: f64 = 1e3;
 
-/// Part of the largest velocity in the data that rounding may hide: a hundredth, as for [`JAMMED`].
+/// Part of the largest velocity in the data that rounding may hide: 10⁻⁵, as for [`JAMMED`] at 10⁻⁸.
 /// Required: of every answer that is accepted, by the users of the certificate.
-pub const HIDDEN: f64 = 1e-2;
+pub const HIDDEN: f64 = 1e-5;
 
 /// √ε. Two contacts are coupled if an entry of W between them is larger than this, relative to the entries on the diagonal. Below it the
 /// product of the motions of two impulses is rounding.

@@ -9,9 +9,13 @@ pub mod cones;
 pub mod first_order;
 pub mod fronts;
 pub mod joints;
+pub mod least_norm;
 pub mod limits;
+pub mod newton;
 pub mod problem;
 pub mod proof;
+#[cfg(test)]
+pub mod sharpness;
 pub mod solvers;
 pub mod sweeps;
 pub mod velocities;

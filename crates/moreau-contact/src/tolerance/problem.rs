@@ -12,3 +12,7 @@ pub const POLYHEDRAL_UNKNOWNS: usize = 1 << 13;
 /// Rows of a problem up to which a sparse mass and Jacobian make a dense W: its algorithms cost less there than those on blocks.
 /// Set.
 pub const DENSE_ROWS: usize = 240;
+
+/// Largest slip at a start, 10¹⁰⁰ m/s: products of three numbers of this size are numbers.
+/// Derived.
+pub const LARGEST: f64 = 1e100;

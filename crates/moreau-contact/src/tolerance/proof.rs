@@ -81,6 +81,21 @@ pub const WEIGHTS: [f64; 7] = [1.0, 0.5, 2.0, 0.25, 4.0, 0.125, 8.0];
 /// Set.
 pub const WITNESS_CONTACTS: usize = 12;
 
+/// Most contacts of the associated law whose witness is searched among all impulses of their cones: the fractions of eight unknowns at each
+/// of eight contacts take more than a minute. Beyond, it is searched among normal impulses.
+/// Set.
+pub const WITNESS_ROUND: usize = 3;
+
+/// Most Σ n³ over islands of n contacts among which a witness is searched: as much work as eight islands of the largest size.
+/// Set.
+pub const WITNESS_WORK: usize = 8 * WITNESS_CONTACTS.pow(3);
+
+/// Impulses of so many times what the fastest given velocity asks of their contact are looked at twice: such an answer is believed only if
+/// no witness is found that there is none. In a problem without solution impulses grow until a residual v is τ times as large, so that at a
+/// part v/V > 4 τ of the largest velocity V they reach this.
+/// Derived.
+pub const LOADED: f64 = 4.0;
+
 /// Most contacts in the plane all of whose patterns are tried, 4⁶ = 4 096 linear systems in fractions.
 /// Set.
 pub const PATTERN_CONTACTS: usize = 6;
@@ -89,3 +104,57 @@ pub const PATTERN_CONTACTS: usize = 6;
 /// proved to be another one all the same is missed.
 /// Set.
 pub const AGAIN: f64 = 1e-9;
+
+/// Most contacts in space all of whose directions of slip are tried: three angles at most.
+/// Set.
+pub const SPATIAL_CONTACTS: usize = 3;
+
+/// Most pieces into which one pattern of contacts in space is cut: half a second where a piece takes 0.13 ms.
+/// Set.
+pub const PIECES: usize = 4_000;
+
+/// The shortest arc that is halved, in the tangent of half of its angle, 2⁻¹⁶: a solution that is not seen to be one or none in an arc as
+/// short as this is on a border between two cases, or nearly so.
+/// Set.
+pub const NARROWEST: f64 = 1.0 / (1_u64 << 16) as f64;
+
+/// Part of an arc by which it reaches beyond a candidate, so that the candidate is inside.
+/// Set.
+pub const BEYOND: f64 = 0.25;
+
+/// Below this κ a matrix of intervals is taken for regular: any number below one would do, and bounds grow as 1/(1 − κ).
+/// Set.
+pub const CONTRACTION: f64 = 0.9;
+
+/// Steps towards the weights for which κ is smallest. They only decide how often a regular matrix is seen to be regular.
+/// Set.
+pub const WEIGHT_STEPS: usize = 4;
+
+/// Part of the last weights that is kept in such a step, so that none becomes zero.
+/// Set.
+pub const SHARE: f64 = 0.1;
+
+/// Facets around a round cone when a separating vector is proposed; the proof is of the round cone.
+/// Set.
+pub const FACETS: usize = 24;
+
+/// Part of its length by which every generator moves towards the residual when a separating vector is proposed, 2⁻³⁰: above the rounding of
+/// the intervals that decide, and small beside what separates.
+/// Set.
+pub const MARGIN: f64 = 1.0 / (1_u64 << 30) as f64;
+
+/// Part of the free velocity above which a residual may separate, 2⁻²⁰: far above what [`MARGIN`] changes.
+/// Set.
+pub const SEPARATED: f64 = 1.0 / (1_u64 << 20) as f64;
+
+/// Steps of the nearest point of a cone with some dozen generators: each enters a few times at most.
+/// Set.
+pub const LEAST_STEPS: usize = 60;
+
+/// The cosine below which a generator is taken for orthogonal to the residual, 2⁻⁴⁰.
+/// Set.
+pub const SMALLEST_GAIN: f64 = 1.0 / (1_u64 << 40) as f64;
+
+/// Part of the largest entry below which a singular value of W is taken for zero where impulses are guessed, 2⁻³⁰; the proof follows.
+/// Set.
+pub const UNDETERMINED: f64 = 1.0 / (1_u64 << 30) as f64;

@@ -23,6 +23,11 @@ pub const PREDICTED: f64 = 2.0;
 /// Set.
 pub const BLOCK: usize = 1024;
 
+/// Contacts from which on a sweep is shared out among threads: it takes some milliseconds there, and to begin and end threads some tens of
+/// microseconds.
+/// Set.
+pub const THREADED: usize = 32_768;
+
 /// 2⁻⁴⁰: what is left of the square of a difference of sweeps, beside the others, if it is more than the rounding of its inner products,
 /// which are relatively off by as many ε as there are rows in the worst case and by their root in the mean.
 /// Derived.

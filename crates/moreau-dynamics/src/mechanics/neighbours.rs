@@ -13,11 +13,19 @@
 use crate::tolerance::neighbours::{LARGE, MARGIN, MOST_CELLS};
 use moreau_exact::tolerance::rounding;
 use nalgebra::Vector3;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::sync::{Mutex, PoisonError};
+
+/// An eighth more room than there were candidates.
+const ROOM: usize = 8;
 
 /// The pairs of bodies near each other, as they were found last.
 #[derive(Debug, Default)]
-pub(super) struct Neighbours(Mutex<List>);
+pub(super) struct Neighbours {
+    list: Mutex<List>,
+    /// How many contact candidates there were last time.
+    candidates: AtomicUsize,
+}
 
 #[derive(Debug, Default)]
 struct List {
@@ -42,16 +50,27 @@ impl Clone for Neighbours {
 }
 
 impl Neighbours {
+    /// For how many contact candidates to make room: as many as there were last time, and some.
+    pub fn expected(&self) -> usize {
+        let last = self.candidates.load(Relaxed);
+        last + last / ROOM
+    }
+
+    /// Remembers how many candidates there were.
+    pub fn expect(&self, candidates: usize) {
+        self.candidates.store(candidates, Relaxed);
+    }
+
     /// Shows every pair i < j with ‖c_i − c_j‖ − R_i − R_j ≤ ρ, and perhaps others, in growing order of (i, j); R are the radii of spheres
     /// about the centres c that hold the bodies.
     pub fn near(&self, centres: &[Vector3<f64>], radius: impl Fn(usize) -> f64, reach: f64, mut show: impl FnMut(usize, usize)) {
-        let mut list = std::mem::take(&mut *self.0.lock().unwrap_or_else(PoisonError::into_inner));
+        let mut list = std::mem::take(&mut *self.list.lock().unwrap_or_else(PoisonError::into_inner));
         if list.holds(centres, reach) || list.find(centres, &radius, reach) {
             list.pairs.iter().for_each(|&[i, j]| show(i as usize, j as usize));
         } else {
             (0..centres.len()).for_each(|i| (i + 1..centres.len()).for_each(|j| show(i, j)));
         }
-        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = list;
+        *self.list.lock().unwrap_or_else(PoisonError::into_inner) = list;
     }
 }
 
@@ -176,10 +195,10 @@ mod tests {
             centres.iter_mut().for_each(|centre| centre.x += 1e-4);
             shown(&kept, &centres, 0.01);
         }
-        assert_eq!(kept.0.lock().unwrap().searches, 1);
+        assert_eq!(kept.list.lock().unwrap().searches, 1);
         centres[7].y += 1.0;
         assert_eq!(shown(&kept, &centres, 0.01), all(&centres, 0.01), "one that jumps is seen where it arrives");
-        assert_eq!(kept.0.lock().unwrap().searches, 2);
+        assert_eq!(kept.list.lock().unwrap().searches, 2);
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //! stand ρ further in.
 
 use super::{Body, Scene};
-use crate::mechanics::spatial::box_moments;
+use crate::mechanics::spatial::Shape;
 use crate::mechanics::{Mechanism, Plane, SphereBodies, SphereBody, State};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -31,6 +31,9 @@ impl Scene {
 }
 
 fn sphere_body(body: &Body, corner_radius: f64) -> Result<SphereBody> {
+    if !body.is_free() {
+        return Err(Error::Unsupported(format!("`{}` is static or moves as prescribed; corner spheres belong to free bodies", body.name)));
+    }
     let (spheres, solid) = shape(body, corner_radius)?;
     let faces = body.cuboid.as_ref().map(|cuboid| cuboid.half_extents);
     Ok(SphereBody { name: body.name.clone(), mass: body.mass, moments: body.inertia.unwrap_or(solid), spheres, faces })
@@ -41,12 +44,16 @@ type SphereAt = ([f64; 3], f64);
 
 /// Spheres and solid moments \[kg·m²\] of a body.
 fn shape(body: &Body, corner_radius: f64) -> Result<(Vec<SphereAt>, [f64; 3])> {
-    if let Some(sphere) = &body.sphere {
-        return Ok((vec![([0.0; 3], sphere.radius)], [0.4 * body.mass * sphere.radius * sphere.radius; 3]));
-    }
-    let cuboid = body.cuboid.as_ref().ok_or_else(|| Error::invalid(&body.name, "has no shape", "give `sphere` or `box`"))?;
+    let shape = body.shape()?;
+    let solid = shape.solid_moments(body.mass);
+    let half_extents = match shape {
+        Shape::Sphere { radius } => return Ok((vec![([0.0; 3], radius)], solid)),
+        Shape::Box { half_extents } => half_extents,
+        Shape::Capsule { .. } | Shape::Cylinder { .. } => {
+            return Err(Error::Unsupported(format!("`{}` is a {}; corner spheres stand for boxes", body.name, shape.word())));
+        }
+    };
     let sign = |corner: usize, axis: usize| if corner >> (2 - axis) & 1 == 1 { 1.0 } else { -1.0 };
-    let centre = |corner: usize| std::array::from_fn(|axis| sign(corner, axis) * (cuboid.half_extents[axis] - corner_radius));
-    let solid = box_moments(body.mass, cuboid.half_extents);
+    let centre = |corner: usize| std::array::from_fn(|axis| sign(corner, axis) * (half_extents[axis] - corner_radius));
     Ok(((0..8).map(|corner| (centre(corner), corner_radius)).collect(), solid))
 }

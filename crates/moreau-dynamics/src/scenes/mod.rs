@@ -13,5 +13,5 @@ mod validation;
 pub use exact::ExactMotion;
 pub use linkages::{LINKAGES, Linkage, linkage};
 pub use named::{NAMES, named};
-pub use scene::{Body, Cuboid, Ground, Material, PairOverride, SCHEMA, Scene, Sphere};
+pub use scene::{Body, Capsule, Cuboid, Cylinder, Ground, Material, PairOverride, Prescribed, SCHEMA, Scene, Sphere};
 pub use staged::Staged;

@@ -6,7 +6,7 @@
 use super::validation::GROUND;
 use super::{Body, PairOverride, Scene};
 use crate::mechanics::planar::{PlanarBody, Shape};
-use crate::mechanics::{Mechanism, PairMaterial, PlanarBodies, Plane, State};
+use crate::mechanics::{Mechanism, PairMaterial, PlanarBodies, Plane, State, spatial};
 use moreau_exact::{Error, Result};
 use nalgebra::{DVector, dvector};
 
@@ -34,6 +34,10 @@ impl Scene {
     }
 
     fn planar_body(&self, body: &Body) -> Result<PlanarBody> {
+        if !body.is_free() {
+            let reason = format!("`{}` is static or moves as prescribed; the planar mechanisms have free bodies only", body.name);
+            return Err(Error::Unsupported(format!("scene `{}`: {reason}", self.name)));
+        }
         let outside = [
             ("position[1]", body.position[1]),
             ("orientation[1]", body.orientation[1]),
@@ -45,15 +49,17 @@ impl Scene {
         for (field, value) in outside {
             self.in_plane(&format!("{}.{field}", body.name), value)?;
         }
-        let (shape, solid) = match (&body.sphere, &body.cuboid) {
-            (Some(sphere), _) => (Shape::Disk { radius: sphere.radius }, 0.4 * body.mass * sphere.radius * sphere.radius),
-            (None, Some(cuboid)) => {
-                let [a, _, c] = cuboid.half_extents;
-                (Shape::Box { half_extents: [a, c] }, body.mass * (a * a + c * c) / 3.0)
+        let solid = body.shape()?;
+        let shape = match solid {
+            spatial::Shape::Sphere { radius } => Shape::Disk { radius },
+            spatial::Shape::Box { half_extents: [a, _, c] } => Shape::Box { half_extents: [a, c] },
+            spatial::Shape::Capsule { .. } | spatial::Shape::Cylinder { .. } => {
+                let reason = format!("`{}` is a {}; the planar mechanisms have spheres and boxes only", body.name, solid.word());
+                return Err(Error::Unsupported(format!("scene `{}`: {reason}", self.name)));
             }
-            (None, None) => return Err(Error::invalid(&body.name, "has no shape", "give `sphere` or `box`")),
         };
-        PlanarBody::new(&body.name, shape, body.mass, body.inertia.map_or(solid, |moments| moments[1]))
+        let moment = body.inertia.unwrap_or(solid.solid_moments(body.mass))[1];
+        PlanarBody::new(&body.name, shape, body.mass, moment)
     }
 
     /// The override in terms of body indices; a pair that names the ground where there is none has no contact.

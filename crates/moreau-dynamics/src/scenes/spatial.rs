@@ -1,16 +1,16 @@
 //! A scene as rigid bodies in space: every `scene/1` is one.
 
 use super::{Body, Scene};
-use crate::mechanics::spatial::{Shape, SpatialBody};
+use crate::mechanics::spatial::SpatialBody;
 use crate::mechanics::{Materials, Mechanism, Plane, SpatialBodies, State};
-use moreau_exact::{Error, Result};
+use moreau_exact::Result;
 use nalgebra::{DVector, Quaternion, UnitQuaternion, Vector3, dvector};
 
 impl Scene {
     /// The scene's rigid bodies in space and their initial state; for the planar mechanism see [`Scene::mechanism`].
     ///
     /// # Errors
-    /// [`Error::Invalid`] as [`Scene::validate`].
+    /// [`moreau_exact::Error::Invalid`] as [`Scene::validate`].
     pub fn spatial_mechanism(&self) -> Result<(Box<dyn Mechanism>, State)> {
         self.validate()?;
         let bodies = self.bodies.iter().map(spatial_body).collect::<Result<Vec<_>>>()?;
@@ -37,8 +37,8 @@ impl Scene {
             [x, y, z, turn.w, turn.i, turn.j, turn.k]
         };
         let rate = |body: &Body| {
-            let spin = turned(body).inverse_transform_vector(&Vector3::from(body.angular_velocity));
-            let [x, y, z] = body.linear_velocity;
+            let [[x, y, z], angular] = body.velocities();
+            let spin = turned(body).inverse_transform_vector(&Vector3::from(angular));
             [x, y, z, spin[0], spin[1], spin[2]]
         };
         let bodies = self.bodies.len();
@@ -51,12 +51,9 @@ impl Scene {
 }
 
 fn spatial_body(body: &Body) -> Result<SpatialBody> {
-    let shape = match (&body.sphere, &body.cuboid) {
-        (Some(sphere), _) => Shape::Sphere { radius: sphere.radius },
-        (None, Some(cuboid)) => Shape::Box { half_extents: cuboid.half_extents },
-        (None, None) => return Err(Error::invalid(&body.name, "has no shape", "give `sphere` or `box`")),
-    };
+    let shape = body.shape()?;
     match body.inertia {
+        _ if !body.is_free() => SpatialBody::unmoved(&body.name, shape),
         Some(moments) => SpatialBody::new(&body.name, shape, body.mass, moments),
         None => SpatialBody::solid(&body.name, shape, body.mass),
     }

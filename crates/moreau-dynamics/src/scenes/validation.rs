@@ -1,7 +1,8 @@
 //! What a scene must satisfy beyond being JSON of the right shape; every refusal names the field and a cure.
 
-use super::scene::SCHEMA;
-use super::{Body, Material, Scene};
+use super::scene::{ONE_SHAPE, SCHEMA};
+use super::{Body, Material, PairOverride, Scene};
+use crate::mechanics::spatial::Shape;
 use crate::tolerance::scenes::WRITTEN_UNIT_VECTOR;
 use moreau_exact::{Error, Result};
 use std::collections::HashSet;
@@ -44,13 +45,15 @@ impl Body {
         if self.name.is_empty() || self.name == GROUND {
             return Err(Error::invalid(field("name"), format!("is `{}`", self.name), "`ground` is the plane; use another name"));
         }
-        match (&self.sphere, &self.cuboid) {
-            (Some(sphere), None) => positive(&field("sphere.radius"), &[sphere.radius])?,
-            (None, Some(cuboid)) => positive(&field("box.half_extents"), &cuboid.half_extents)?,
-            (None, None) => return Err(Error::invalid(path, "has no shape", "give `sphere` or `box`")),
-            (Some(_), Some(_)) => return Err(Error::invalid(path, "has two shapes", "give `sphere` or `box`, not both")),
+        match self.only_shape().map_err(|problem| Error::invalid(path, problem, ONE_SHAPE))? {
+            Shape::Sphere { radius } => positive(&field("sphere.radius"), &[radius])?,
+            Shape::Box { half_extents } => positive(&field("box.half_extents"), &half_extents)?,
+            shape @ (Shape::Capsule { radius, half_height } | Shape::Cylinder { radius, half_height }) => {
+                positive(&field(&format!("{}.radius", shape.word())), &[radius])?;
+                positive(&field(&format!("{}.half_height", shape.word())), &[half_height])?;
+            }
         }
-        positive(&field("mass"), &[self.mass])?;
+        self.validate_motion(&field)?;
         if let Some(inertia) = &self.inertia {
             positive(&field("inertia"), inertia)?;
             let largest = inertia.iter().copied().fold(0.0, f64::max);
@@ -63,6 +66,36 @@ impl Body {
         unit(&field("orientation"), &self.orientation)?;
         finite(&field("linear_velocity"), &self.linear_velocity)?;
         finite(&field("angular_velocity"), &self.angular_velocity)
+    }
+
+    /// A free body has a mass; one that is not has none, no inertia, and no velocity of its own.
+    fn validate_motion(&self, field: &impl Fn(&str) -> String) -> Result<()> {
+        let cure = match (self.is_static, &self.prescribed) {
+            (false, None) if self.mass == f64::INFINITY => {
+                let cure = "give the mass of the body in kg, or `static`: true, or its `prescribed` velocity";
+                return Err(Error::invalid(field("mass"), "is missing", cure));
+            }
+            (false, None) => return positive(&field("mass"), &[self.mass]),
+            (true, Some(_)) => {
+                return Err(Error::invalid(field("prescribed"), "moves a body that is `static`", "leave out one of the two"));
+            }
+            (true, None) => "leave it out: a static body is not moved by anything",
+            (false, Some(prescribed)) => {
+                finite(&field("prescribed.velocity"), &prescribed.velocity)?;
+                finite(&field("prescribed.angular_velocity"), &prescribed.angular_velocity)?;
+                "leave it out: the body moves with its `prescribed` velocities, and nothing changes them"
+            }
+        };
+        let given = [
+            ("mass", self.mass != f64::INFINITY),
+            ("inertia", self.inertia.is_some()),
+            ("linear_velocity", self.linear_velocity != [0.0; 3]),
+            ("angular_velocity", self.angular_velocity != [0.0; 3]),
+        ];
+        match given.into_iter().find(|(_, given)| *given) {
+            Some((name, _)) => Err(Error::invalid(field(name), "is given", cure)),
+            None => Ok(()),
+        }
     }
 }
 
@@ -78,6 +111,11 @@ impl Material {
             }
             if pair.bodies[0] == pair.bodies[1] {
                 return Err(Error::invalid(format!("{path}.bodies"), "names one body twice", "name two different ones"));
+            }
+            let same = |other: &PairOverride| other.bodies.iter().all(|name| pair.bodies.contains(name));
+            if let Some(first) = self.pairs[..index].iter().position(same) {
+                let problem = format!("names the pair of `material.pairs[{first}]` again");
+                return Err(Error::invalid(format!("{path}.bodies"), problem, "give friction and restitution of a pair in one entry"));
             }
             coefficients(&path, pair.friction, pair.restitution)?;
         }
@@ -160,6 +198,25 @@ mod tests {
     }
 
     #[test]
+    fn a_body_has_a_mass_or_is_static_or_moves_as_prescribed() {
+        let free = "\"mass\": 1.0";
+        assert!(message(&format!("{free},"), "").contains("`bodies[0].mass`: is missing"));
+        assert!(message(free, "\"mass\": 1.0, \"static\": true").contains("`bodies[0].mass`: is given"));
+        assert!(message(free, "\"static\": true, \"prescribed\": {\"velocity\": [1, 0, 0]}").contains("`bodies[0].prescribed`"));
+        let moments = "\"inertia\": [1, 1, 1], \"prescribed\": {\"velocity\": [1, 0, 0]}";
+        assert!(message(free, moments).contains("`bodies[0].inertia`: is given"));
+        assert!(message(free, "\"prescribed\": {\"velocity\": [1, 0, 0], \"spin\": 1}").contains("unknown field `spin`"));
+        for body in [Body::sphere("rock", 1.0, 0.1, [0.0; 3]).fixed(), Body::sphere("roller", 1.0, 0.1, [0.0; 3]).driven([1.0, 0.0, 0.0])] {
+            let mut scene = named("ball-drop").expect("a built-in scene");
+            scene.bodies.push(body);
+            let text = scene.to_json().expect("valid");
+            assert_eq!(Scene::from_json(&text).expect("what is written can be read"), scene);
+            scene.bodies[1].linear_velocity[2] = 1.0;
+            assert!(scene.validate().expect_err("not by itself").to_string().contains("`bodies[1].linear_velocity`"));
+        }
+    }
+
+    #[test]
     fn shapes_pairs_and_moments_are_checked() {
         let scene = named("box-stack").expect("a built-in scene");
         let refused = |change: &dyn Fn(&mut Scene)| {
@@ -176,5 +233,7 @@ mod tests {
         let pair = |bodies: [String; 2]| super::super::PairOverride { bodies, friction: Some(0.1), restitution: None };
         assert!(refused(&|scene| scene.material.pairs = vec![pair(stray.clone())]).contains("box99"));
         assert!(refused(&|scene| scene.material.pairs = vec![pair(["box1", "box1"].map(String::from))]).contains("twice"));
+        let again = [["box1", "ground"], ["ground", "box1"]].map(|names| pair(names.map(String::from)));
+        assert!(refused(&|scene| scene.material.pairs = again.to_vec()).contains("`material.pairs[0]` again"));
     }
 }

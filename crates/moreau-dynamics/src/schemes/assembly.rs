@@ -71,7 +71,8 @@ pub fn assemble(name: &str, rules: &dyn Rules, at: &StepContext) -> Result<StepP
 pub fn held<'a>(at: &'a StepContext, theta: f64, is_active: impl Fn(&Candidate) -> bool) -> Result<(StepProblem, Vec<Candidate<'a>>)> {
     let (effective_mass, free_velocity) = at.free_motion(theta)?;
     let (rows, columns) = (at.mechanism().rows_per_contact(), at.mechanism().degrees_of_freedom());
-    let (mut active, mut candidates) = (Vec::new(), Vec::new());
+    let all = at.contacts().len();
+    let (mut active, mut candidates) = (Vec::with_capacity(all), Vec::with_capacity(all));
     for (index, contact) in at.contacts().iter().enumerate() {
         let [mut velocity, mut free] = [Components::zeros(rows); 2];
         contact.jacobian.add_product(at.state().velocity.as_slice(), &mut velocity);

@@ -4,7 +4,8 @@
 //!     M̂ (v⁺ − v) = h F_θ + Hᵀ r ,   K_μ ∋ r ⟂ y + μ‖y_t‖ n ∈ K_μ* ,   y = H v⁺ + e H v   at active contacts,
 //!     q⁺ = q + h (θ v⁺ + (1−θ) v) .
 //! ```
-//! The gap enters only through the choice of the active contacts, so that choice is part of the scheme.
+//! The gap enters only through the choice of the active contacts, so that choice is part of the scheme. It is taken at its word, as in
+//! Siconos: a contact at φ = 0 that rounding lets part at 10⁻¹⁶ m/s is not active under rule B, and falls for one step.
 //!
 //! # Which force
 //! M, H and φ are taken at the start of the step, and so is F: a nonlinear force is explicit, which costs nothing in

@@ -64,6 +64,11 @@ pub fn faces_are_parallel(sum: f64) -> f64 {
     (2.0 - sum / PARALLEL_FACES).clamp(0.0, 1.0)
 }
 
+/// Sine of the angle between the axis of a cylinder and the normal of the ground below which it stands on points of its rims that turn with
+/// it, besides the lowest ones. A cylinder of radius r that leans so much has its highest point of a rim r/8 above the lowest.
+/// Set.
+pub const STANDING: f64 = 1.0 / 16.0;
+
 /// Contact points of two boxes nearer than this, relative to their size, are one: √ε, far above the rounding with which
 /// clipping finds the same corner twice, far below any lever arm that matters.
 /// Set.

@@ -7,7 +7,7 @@
 use crate::check::{Control, Run};
 use crate::checks::scenery::{GRAVITY, cuboid, over_floor, schedule, sphere};
 use crate::model::solid::box_moments;
-use crate::model::{Model, damping};
+use crate::model::{Model, damping, springs};
 use crate::tolerance::flight as tolerance;
 use crate::{Bench, Check, Expectation, Level, Measurement, Reply};
 use moreau_dynamics::scenes::{Body, Scene};
@@ -73,10 +73,11 @@ fn projectile(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let (path, exact) = damping::flight(0.0, &gravity, &velocity, time);
     let (off, epsilon) = (end.position - start - path, bench.epsilon());
     let (size, speed) = (start.norm() + velocity.norm() * time, velocity.norm() + GRAVITY * time);
-    let rounded = tolerance::rounding(steps, size, epsilon);
-    let position = Expectation::at_most(0.0, tolerance::position(GRAVITY, h, steps, size, epsilon), "½ g h t of a first order update");
-    let across = Expectation::at_most(0.0, rounded + time * tolerance::rounding(steps, speed, epsilon), "no force across gravity");
-    let falling = Expectation::at_most(0.0, tolerance::rounding(steps, speed, epsilon), "constant force: every step is exact");
+    let parts = steps * springs::substeps(&bench.description().contact_model, h);
+    let [rounded, rounded_speed] = [size, speed].map(|size| tolerance::rounding(parts, size, epsilon));
+    let position = Expectation::at_most(0.0, tolerance::position(GRAVITY, h, time) + rounded, "½ g h t of a first order update");
+    let across = Expectation::at_most(0.0, rounded + time * rounded_speed, "no force across gravity");
+    let falling = Expectation::at_most(0.0, rounded_speed, "constant force: every step is exact");
     let mut measured = vec![
         Measurement::new("position error", "m", off.norm(), position),
         Measurement::new("position error across gravity", "m", off.xy().norm(), across),
@@ -85,7 +86,7 @@ fn projectile(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     if let Some((linear, _)) = Model::of(bench.description()).damping() {
         let (damped, slowed) = damping::flight(linear, &gravity, &velocity, time);
         let moved = tolerance::damped_position(linear, GRAVITY, speed, time, h) + rounded;
-        let slower = tolerance::damped_velocity(linear, GRAVITY, speed, time, h) + tolerance::rounding(steps, speed, epsilon);
+        let slower = tolerance::damped_velocity(linear, GRAVITY, speed, time, h) + rounded_speed;
         let predictions = [((damped - path).norm(), moved), ((damped - path).xy().norm(), moved), ((slowed - exact).norm(), slower)];
         for (measurement, (value, allowed)) in measured.iter_mut().zip(predictions) {
             measurement.model = Some(Expectation::equal(value, allowed, DAMPED));
@@ -115,8 +116,9 @@ fn momentum(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let weight = Vector3::new(0.0, 0.0, -GRAVITY * free.mass * time);
     let [drift, turned, pulled] = [free.linear, free.angular, falling.linear].map(|[before, after]| after - before);
     let epsilon = bench.epsilon();
-    let rounded = tolerance::rounding(steps, free.size[0] + weight.norm(), epsilon);
-    let turning = tolerance::turning(steps, epsilon) * free.size[1];
+    let parts = steps * springs::substeps(&bench.description().contact_model, h);
+    let rounded = tolerance::rounding(parts, free.size[0] + weight.norm(), epsilon);
+    let turning = tolerance::turning(parts, epsilon) * free.size[1];
     let mut measured = vec![
         Measurement::new("change of momentum", "kg*m/s", drift.norm(), Expectation::at_most(0.0, rounded, "no force")),
         Measurement::new("change of angular momentum", "kg*m^2/s", turned.norm(), Expectation::at_most(0.0, turning, "no torque")),
@@ -211,7 +213,8 @@ fn spinning_box(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let exact = path[path.len() - 1].angular_velocity();
     let reached = Spin { orientation: end.orientation, body_rate: end.orientation.inverse() * end.angular_velocity };
     let (momentum, energy, speed) = (top.momentum(&start), top.energy(&start), exact.norm());
-    let noise = tolerance::top_reference(time, speed) + tolerance::turning(steps, bench.epsilon());
+    let parts = steps * springs::substeps(&bench.description().contact_model, h);
+    let noise = tolerance::top_reference(time, speed) + tolerance::turning(parts, bench.epsilon());
     let [rate, angle] = [bound.body_rate * h + noise * speed, bound.angle * h + noise];
     // Errors of L = R J Ω and of the energy, to second order in e_Ω.
     let turned = top.moments.max() * rate + momentum.norm() * angle;

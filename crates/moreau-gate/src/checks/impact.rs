@@ -5,9 +5,10 @@
 //! ```
 
 use crate::check::{Control, Expected, Run};
-use crate::checks::scenery::{over_floor, schedule, sphere};
+use crate::checks::scenery::{between, over_floor, schedule, sphere};
 use crate::model::Model;
 use crate::model::normal::Normal;
+use crate::tolerance::flight::damped_velocity;
 use crate::tolerance::impact as tolerance;
 use crate::{Bench, Check, Expectation, Level, Measurement, Reply};
 use moreau_dynamics::scenes::{Body, Scene};
@@ -23,7 +24,8 @@ pub const CHECKS: &[Check] = &[
         derivation: "Velocities are constant except for the impact, so that v⁺ is exact for every h. Without friction the impulse lies \
             along the line of centres. The spheres may be up to the motion s of two steps away from the place of contact, which turns \
             that line by at most δ = b s/(R − s)². If the approach speed is taken along the normal of the step before, it is off by the \
-            part δ tan φ + ½ δ² of itself, with the angle φ between the normal and the line of flight.",
+            part δ tan φ + ½ δ² of itself, with the angle φ between the normal and the line of flight. A declared linear damping c \
+            multiplies all velocities by e^{−cT}.",
         source: "closed form of the central impact; Newton's law",
         run: Run::EachStep(two_spheres),
         control: Control { passes: "moreau-jean", fails: "impact/one-sided-impulse" },
@@ -89,20 +91,64 @@ struct Impact {
     after: Vec<Vector3<f64>>,
     /// Largest angular velocity afterwards \[rad/s\].
     spin: f64,
+    /// What a declared damping leaves of the velocities.
+    slowing: Option<Slowing>,
+}
+
+/// What a declared linear damping c leaves of every velocity after the time T without forces, e^{−cT}, and the error of its steps. Impacts
+/// are linear in the velocities, so that it does not matter when they happen.
+#[derive(Clone, Copy, Debug)]
+struct Slowing {
+    kept: f64,
+    error: f64,
+    /// The damping of the steps that find an impact: u⁺ = −e u⁻ may take u⁻ before it.
+    skipped: f64,
+}
+
+impl Slowing {
+    fn of(bench: &Bench, time: f64, h: f64) -> Option<Self> {
+        let (damping, _) = Model::of(bench.description()).damping()?;
+        Some(Slowing {
+            kept: (-damping * time).exp(),
+            error: damped_velocity(damping, 0.0, 1.0, time, h),
+            skipped: tolerance::skipped(damping, h),
+        })
+    }
+
+    /// A quantity of this power of the velocities, which is `undamped` without damping.
+    fn slowed(&self, undamped: &Expectation, power: i32) -> Expectation {
+        let error = f64::from(power) * (self.error + self.skipped) * (undamped.value.abs() + undamped.tolerance);
+        let value = undamped.value * self.kept.powi(power);
+        Expectation {
+            value,
+            tolerance: undamped.tolerance + error,
+            why: format!("{}, and the declared damping", undamped.why),
+            ..*undamped
+        }
+    }
 }
 
 impl Impact {
     fn of(bench: &mut Bench, scene: &Scene, duration: f64, h: f64) -> Reply<Self> {
         let (steps, every) = schedule(duration, 1, h);
-        Ok(Impact::measured(scene, &bench.simulate(scene, h, steps, every)?))
+        let trajectory = bench.simulate(scene, h, steps, every)?;
+        Ok(Impact::measured(scene, &trajectory, Slowing::of(bench, steps as f64 * h, h)))
     }
 
-    fn measured(scene: &Scene, trajectory: &Trajectory) -> Self {
+    fn measured(scene: &Scene, trajectory: &Trajectory, slowing: Option<Slowing>) -> Self {
         let last = trajectory.times.len() - 1;
         let velocities = |k: usize| trajectory.bodies.iter().map(|track| Vector3::from(track.linear_velocity[k])).collect();
         let spins = trajectory.bodies.iter().map(|track| Vector3::from(track.angular_velocity[last]).norm());
         let masses = scene.bodies.iter().map(|body| body.mass).collect();
-        Impact { masses, before: velocities(0), after: velocities(last), spin: spins.fold(0.0, crate::checks::scenery::worst) }
+        Impact { masses, before: velocities(0), after: velocities(last), spin: spins.fold(0.0, crate::checks::scenery::worst), slowing }
+    }
+
+    /// What the declared law predicts of a quantity of this power of the velocities: `law`, or else the ideal, under the declared damping.
+    fn law(&self, law: Option<Expectation>, ideal: &Expectation, power: i32) -> Option<Expectation> {
+        match self.slowing {
+            Some(slowing) => Some(slowing.slowed(law.as_ref().unwrap_or(ideal), power)),
+            None => law,
+        }
     }
 
     fn momentum(&self, velocities: &[Vector3<f64>]) -> Vector3<f64> {
@@ -132,12 +178,12 @@ impl Impact {
         let before = self.momentum(&self.before);
         let change = (self.momentum(&self.after) - before).norm();
         let allowed = tolerance::velocity(epsilon) * before.norm();
-        Measurement::new(
-            format!("change of momentum{words}"),
-            "kg*m/s",
-            change,
-            Expectation::at_most(0.0, allowed, "impulses are opposite"),
-        )
+        let ideal = Expectation::at_most(0.0, allowed, "impulses are opposite");
+        let lost = |slowing: Slowing| {
+            let [lost, error] = [1.0 - slowing.kept, slowing.error].map(|part| part * before.norm());
+            Expectation::equal(lost, allowed + error, "impulses are opposite, and the declared damping")
+        };
+        Measurement::new(format!("change of momentum{words}"), "kg*m/s", change, ideal).predicted(self.slowing.map(lost))
     }
 }
 
@@ -146,7 +192,7 @@ fn reduced_mass() -> f64 {
 }
 
 /// The restitution of an impact, 0 below a declared threshold, with what a declared law adds to it.
-fn declared(bench: &Bench, restitution: f64, approach: f64, allowed: f64, h: f64) -> Option<Expectation> {
+pub(super) fn declared(bench: &Bench, restitution: f64, approach: f64, allowed: f64, h: f64) -> Option<Expectation> {
     let Model::Coulomb(limits) = Model::of(bench.description()) else { return None };
     let [push, mixing] = softness(bench, approach, h);
     let still = approach <= limits.restitution_threshold || restitution * approach <= limits.rebound_threshold;
@@ -158,7 +204,7 @@ fn declared(bench: &Bench, restitution: f64, approach: f64, allowed: f64, h: f64
 
 /// [p, c]: what a declared law adds to the velocity after an impact at `approach` \[m/s\], over it: up to p where it takes back a part of
 /// the depth, at most v h, at which the impact was found; and down to −c (1 + e) where it mixes forces.
-fn softness(bench: &Bench, approach: f64, h: f64) -> [f64; 2] {
+pub(super) fn softness(bench: &Bench, approach: f64, h: f64) -> [f64; 2] {
     match Model::of(bench.description()) {
         Model::Coulomb(limits) => [limits.push(approach * h, h) / approach, limits.force_mixing],
         _ => [0.0; 2],
@@ -180,15 +226,10 @@ fn two_spheres(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
         let newton =
             Expectation::equal(RESTITUTION, allowed + older, "Newton's law, whatever h; the approach perhaps along an older normal");
         let approach = SPEED * exact.x / reach;
+        let law = impact.law(declared(bench, RESTITUTION, approach, allowed + older, h), &newton, 1);
         measured.extend([
             impact.momentum_change(words, bench.epsilon()),
-            Measurement::new(format!("restitution{words}"), "1", impact.restitution(), newton).predicted(declared(
-                bench,
-                RESTITUTION,
-                approach,
-                allowed + older,
-                h,
-            )),
+            Measurement::new(format!("restitution{words}"), "1", impact.restitution(), newton).predicted(law),
             Measurement::new(
                 format!("impulse off the line of centres{words}"),
                 "rad",
@@ -217,17 +258,22 @@ fn cradle(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let [first, middle, last] = [0, 1, 2].map(|k| impact.after[k].x / SPEED);
     let energy = impact.energy(&impact.after) / impact.energy(&impact.before);
     let approaching = (first - middle).max(middle - last);
-    let within = |low: f64, high: f64, why: &str| Expectation::equal(0.5 * (low + high), 0.5 * (high - low) + allowed, why);
-    let between = |low: f64, high: f64| within(low, high, "between one after another and both at once");
+    let either = |low: f64, high: f64| between([low, high], allowed, "between one after another and both at once");
     let [push, mixing] = softness(bench, SPEED, h);
     let soft = tolerance::soft_cradle(push, mixing);
-    let law = |[low, high]: [f64; 2]| (push + mixing > 0.0).then(|| within(low, high, "the declared error reduction and force mixing"));
+    let law = |range: [f64; 2], ideal: &Expectation, power: i32| {
+        let soft = (push + mixing > 0.0).then(|| between(range, allowed, "the declared error reduction and force mixing"));
+        impact.law(soft, ideal, power)
+    };
+    let elastic = Expectation::equal(1.0, 2.0 * allowed, "elastic");
+    let [first_ideal, last_ideal] = [either(-1.0 / 3.0, 0.0), either(2.0 / 3.0, 1.0)];
+    let [energy_law, first_law, last_law] =
+        [law(soft.energy, &elastic, 2), law(soft.first, &first_ideal, 1), law(soft.last, &last_ideal, 1)];
     Ok(vec![
         impact.momentum_change("", bench.epsilon()),
-        Measurement::new("energy after over before", "1", energy, Expectation::equal(1.0, 2.0 * allowed, "elastic"))
-            .predicted(law(soft.energy)),
-        Measurement::new("velocity of the first sphere over v", "1", first, between(-1.0 / 3.0, 0.0)).predicted(law(soft.first)),
-        Measurement::new("velocity of the last sphere over v", "1", last, between(2.0 / 3.0, 1.0)).predicted(law(soft.last)),
+        Measurement::new("energy after over before", "1", energy, elastic).predicted(energy_law),
+        Measurement::new("velocity of the first sphere over v", "1", first, first_ideal).predicted(first_law),
+        Measurement::new("velocity of the last sphere over v", "1", last, last_ideal).predicted(last_law),
         Measurement::new("largest approach left over v", "1", approaching, Expectation::at_most(0.0, allowed, "no impact is left over"))
             .predicted((mixing > 0.0).then(|| Expectation::at_most(3.0 * mixing, allowed, "the declared force mixing"))),
     ])
@@ -240,10 +286,12 @@ fn plastic(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let lost = impact.lost() / (0.5 * reduced_mass() * SPEED * SPEED);
     let (steps, _) = schedule(DURATION, 1, h);
     let contact = Normal::spheres(&[(MASSES[0], RADII[0]), (MASSES[1], RADII[1])], 0.0, 0.0, bench.description().friction, h);
-    let replayed = contact.replay(&Model::of(bench.description()), GAP, -SPEED, steps);
-    let left = replayed.and_then(|states| states.last().map(|(_, velocity)| velocity.abs() / SPEED));
+    let replayed = contact.replays(&Model::of(bench.description()), GAP, -SPEED, steps);
+    let left = replayed.map(|all| all.iter().filter_map(|states| states.last()).map(|(_, v)| v.abs() / SPEED).collect::<Vec<_>>());
     let error = crate::tolerance::ball::replay(steps, bench.epsilon());
-    let model = |value: f64| Expectation::equal(value, error, "replay of the declared law's discrete map");
+    let model = |values: &[f64], kept: fn(f64) -> f64| {
+        between(values.iter().copied().map(kept), error, "replay of the declared law's discrete map")
+    };
     let together = Expectation::equal(0.0, allowed, "one velocity");
     let spent = Expectation::equal(1.0, 2.0 * allowed, "½ m̄ Δv²");
     let [push, mixing] = softness(bench, SPEED, h);
@@ -252,14 +300,24 @@ fn plastic(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
         let (middle, half) = (value + 0.5 * far, 0.5 * far.abs() + 2.0 * allowed);
         (apart > 0.0).then(|| Expectation::equal(middle, half, "the declared error reduction and force mixing"))
     };
+    let parting = left.as_ref().map(|left| model(left, |e| e)).or_else(|| soft(0.0, apart));
+    let wasted = left.as_ref().map(|left| model(left, |e| 1.0 - e * e)).or_else(|| soft(1.0, -apart * apart));
+    // The common motion has a third of ½ m̄ Δv², of which damping leaves e^{−2cT}.
+    let damped = impact.slowing.map(|Slowing { kept, error, .. }| {
+        let undamped = wasted.as_ref().unwrap_or(&spent);
+        let common = MASSES[0] / MASSES[1];
+        let value = undamped.value + (1.0 - kept * kept) * (common + 1.0 - undamped.value);
+        Expectation { value, tolerance: undamped.tolerance + 2.0 * error * (1.0 + common), why: DAMPED.into(), ..*undamped }
+    });
     Ok(vec![
         impact.momentum_change("", bench.epsilon()),
-        Measurement::new("relative velocity after over before", "1", separation, together)
-            .predicted(left.map(model).or_else(|| soft(0.0, apart))),
-        Measurement::new("energy lost over ½ m̄ Δv²", "1", lost, spent)
-            .predicted(left.map(|e| model(1.0 - e * e)).or_else(|| soft(1.0, -apart * apart))),
+        Measurement::new("relative velocity after over before", "1", separation, together.clone())
+            .predicted(impact.law(parting, &together, 1)),
+        Measurement::new("energy lost over ½ m̄ Δv²", "1", lost, spent.clone()).predicted(damped.or(wasted)),
     ])
 }
+
+const DAMPED: &str = "½ m̄ Δv², and the declared damping";
 
 #[cfg(test)]
 mod tests {

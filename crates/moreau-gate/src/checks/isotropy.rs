@@ -25,8 +25,10 @@ use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2, TAU};
 const FRICTION: f64 = 0.3;
 /// Speed at the start \[m/s\]: the sphere slips for 0.19 s.
 const SPEED: f64 = 2.0;
-/// At most 0.17 s.
+/// Steps of a push of small steps.
 const STEPS: usize = 10;
+/// Longest push \[s\]: the sphere still slips.
+const LONGEST: f64 = 0.18;
 const DIRECTIONS: usize = 16;
 
 /// Direction k \[rad\]: the eight of the compass, and eight that lie 7° beside the middle between them.
@@ -91,13 +93,18 @@ fn shapes(bench: &Bench, h: f64) -> Vec<(&'static str, Body)> {
     shapes
 }
 
+/// Steps of a push: the same number for all steps h up to 1/60 s, fewer above.
+fn steps(h: f64) -> usize {
+    STEPS.min((LONGEST / h) as usize).max(1)
+}
+
 /// All pushes of a shape, and the time they take.
 fn pushes(bench: &mut Bench, h: f64, body: &Body) -> Reply<(Vec<Push>, f64)> {
     let mut pushes = Vec::new();
     for k in 0..DIRECTIONS {
         let (sine, cosine) = direction(k).sin_cos();
         let scene = pushed(body, [SPEED * cosine, SPEED * sine, 0.0]);
-        let motion = bench.simulate(&scene, h, STEPS, STEPS)?;
+        let motion = bench.simulate(&scene, h, steps(h), steps(h))?;
         let states = samples(&motion.bodies[0]);
         pushes.push(Push {
             along: Vector3::new(cosine, sine, 0.0),
@@ -106,7 +113,7 @@ fn pushes(bench: &mut Bench, h: f64, body: &Body) -> Reply<(Vec<Push>, f64)> {
             end: states[1],
         });
     }
-    Ok((pushes, STEPS as f64 * h))
+    Ok((pushes, steps(h) as f64 * h))
 }
 
 fn pushed(body: &Body, velocity: [f64; 3]) -> Scene {
@@ -131,19 +138,22 @@ fn deceleration(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let mut measurements = Vec::new();
     for (shape, body) in shapes(bench, h) {
         let (pushes, time) = pushes(bench, h, &body)?;
+        let damping = Model::of(bench.description()).damping().map_or(0.0, |(linear, _)| linear);
         let ratio = |push: &Push, axis: &Vector3<f64>| {
-            let change = push.end.velocity - push.start.velocity;
+            // What declared damping took, c Δx, is no friction.
+            let way = push.end.position - push.start.position;
+            let change = push.end.velocity - push.start.velocity + way * damping;
             -change.dot(axis) / (change.z + GRAVITY * time)
         };
         let along: Vec<f64> = pushes.iter().map(|push| ratio(push, &push.along)).collect();
         let across = largest(pushes.iter().map(|push| ratio(push, &push.across)));
-        let allowed = tolerance::coefficient();
+        let allowed = tolerance::coefficient() + crate::tolerance::contact::damped(damping, SPEED, GRAVITY, h);
         let law = facets(bench);
         let strength = law.map(|[weakest, strongest, _]| {
             let [middle, half] = [weakest + strongest, strongest - weakest].map(|x| 0.5 * FRICTION * x);
             Expectation::equal(middle, half + allowed, "between the weakest and the strongest direction of the polygon")
         });
-        let strength = strength.or_else(|| lagged(bench, allowed));
+        let strength = strength.or_else(|| lagged(bench, allowed, h));
         let sideways = law.map(|[_, _, across]| Expectation::at_most(FRICTION * across, allowed, "the force of a corner of the polygon"));
         let ideal = || Expectation::equal(FRICTION, allowed, "μ in every direction");
         let weakest = along.iter().copied().fold(f64::INFINITY, f64::min);
@@ -163,9 +173,9 @@ fn deceleration(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     Ok(measurements)
 }
 
-/// A lagged law takes friction from the normal force of the step before: in [`STEPS`] steps of a steady slide one is missing.
-fn lagged(bench: &Bench, allowed: f64) -> Option<Expectation> {
-    let missing = FRICTION / STEPS as f64;
+/// A lagged law takes friction from the normal force of the step before: in [`steps`] steps of a steady slide one is missing.
+fn lagged(bench: &Bench, allowed: f64, h: f64) -> Option<Expectation> {
+    let missing = FRICTION / steps(h) as f64;
     let model = Expectation::equal(FRICTION - 0.5 * missing, 0.5 * missing + allowed, "friction of the previous normal force");
     matches!(Model::of(bench.description()), Model::DrakeRegularised { .. }).then_some(model)
 }

@@ -4,22 +4,29 @@ use crate::Check;
 use crate::check::Expected;
 
 pub mod ball;
+pub mod bounce;
 pub mod contact;
+pub mod conveyor;
 pub mod determinism;
 pub mod energy;
+pub mod fixed;
 pub mod flight;
 pub mod impact;
 pub mod incline;
 pub mod isotropy;
+pub mod limits;
 pub mod metamorphic;
 mod motion;
 pub mod painleve;
+pub mod pair;
 pub mod projection;
 pub mod rest;
 pub mod rocking;
 pub mod rolling;
+pub mod round;
 mod scenery;
 pub mod solver;
+pub mod spin;
 pub mod stack;
 pub mod tumbling;
 
@@ -42,6 +49,13 @@ pub const FAMILIES: &[&[Check]] = &[
     rocking::CHECKS,
     painleve::CHECKS,
     tumbling::CHECKS,
+    spin::CHECKS,
+    limits::CHECKS,
+    bounce::CHECKS,
+    pair::CHECKS,
+    fixed::CHECKS,
+    conveyor::CHECKS,
+    round::CHECKS,
 ];
 
 /// The derived verdicts of our schemes that are not `pass`, family by family.
@@ -55,6 +69,12 @@ pub const EXPECTED: &[&[Expected]] = &[
     contact::EXPECTED,
     energy::EXPECTED,
     tumbling::EXPECTED,
+    spin::EXPECTED,
+    bounce::EXPECTED,
+    pair::EXPECTED,
+    fixed::EXPECTED,
+    conveyor::EXPECTED,
+    round::EXPECTED,
 ];
 
 /// Every check, family by family.

@@ -6,8 +6,10 @@
 //! A force law divides by W_nn + μ W_nt and blows up or sinks; a law of impulses stops the edge. The two corners of the edge share P.
 
 use crate::check::{Control, Run};
-use crate::checks::scenery::{GRAVITY, cuboid, over_floor, worst};
+use crate::checks::scenery::{GRAVITY, between, cuboid, over_floor, worst};
+use crate::model::Model;
 use crate::tolerance::painleve as tolerance;
+use crate::tolerance::rocking::returned;
 use crate::{Bench, Check, Expectation, Kind, Level, Measurement, Reply};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::trajectory::Trajectory;
@@ -72,7 +74,11 @@ fn rod(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let trajectory = bench.simulate(&falling_rod(), h, STEPS.max((0.1 / h) as usize), 1)?;
     let mut measurements = vec![energy(&trajectory, h)];
     if bench.description().contact_model.kind == Kind::Rigid {
-        measurements.extend(atom(&trajectory, h));
+        let reduction = match Model::of(bench.description()) {
+            Model::Coulomb(limits) => limits.error_reduction,
+            _ => 0.0,
+        };
+        measurements.extend(atom(&trajectory, h, reduction));
     }
     Ok(measurements)
 }
@@ -94,11 +100,13 @@ fn energy(trajectory: &Trajectory, h: f64) -> Measurement {
     Measurement::new("largest energy over the energy at the start", "1", largest / at(0), ideal)
 }
 
-/// The impulse of the event from the change of velocity, and the slip after it.
-fn atom(trajectory: &Trajectory, h: f64) -> [Measurement; 3] {
+/// The impulse of the event from the change of velocity, and the slip after it. An edge that is pushed out of a part of its depth leaves
+/// with up to that part of its approach.
+fn atom(trajectory: &Trajectory, h: f64, reduction: f64) -> [Measurement; 3] {
     let track = &trajectory.bodies[0];
     let edge = edge();
     let [normal, tangential] = edge.stopping_impulse(FALL, SLIDE);
+    let pushed = edge.stopping_impulse(FALL * (1.0 + returned(reduction)), SLIDE);
     let [x, z] = edge.arm;
     let length = x.hypot(z);
     let spin = (z * tangential - x * normal).abs() / edge.inertia;
@@ -110,9 +118,12 @@ fn atom(trajectory: &Trajectory, h: f64) -> [Measurement; 3] {
     // The angular velocity about y turns z towards x: the edge at (−X, −Z) moves with −ω Z along x.
     let slip = end[0] - track.angular_velocity[STEPS][1] * z;
     let equal = |value: f64, allowed: f64, why: &str| Expectation::equal(value, allowed, why);
+    let law = |ends: [f64; 2]| (reduction > 0.0).then(|| between(ends, allowed, "W⁻¹ (w, v) with the declared push out of the depth"));
     [
-        Measurement::new("normal impulse of the event", "N*s", upwards, equal(normal, allowed, "W⁻¹ (w, v), whatever h")),
-        Measurement::new("friction impulse of the event", "N*s", forwards, equal(tangential, allowed, "W⁻¹ (w, v), whatever h")),
+        Measurement::new("normal impulse of the event", "N*s", upwards, equal(normal, allowed, "W⁻¹ (w, v), whatever h"))
+            .predicted(law([normal, pushed[0]])),
+        Measurement::new("friction impulse of the event", "N*s", forwards, equal(tangential, allowed, "W⁻¹ (w, v), whatever h"))
+            .predicted(law([tangential, pushed[1]])),
         Measurement::new(
             "slip of the edge after the event",
             "m/s",

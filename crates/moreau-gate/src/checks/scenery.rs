@@ -1,5 +1,6 @@
 //! Small pieces that the scenes of several families are built from.
 
+use crate::Expectation;
 use moreau_dynamics::scenes::{Body, Ground, Material, Scene};
 use moreau_dynamics::trajectory::{BodyTrack, Trajectory};
 pub(super) use moreau_exact::number::larger as worst;
@@ -22,6 +23,13 @@ pub(super) fn over_floor(name: &str, bodies: Vec<Body>, friction: f64) -> Scene 
     }
 }
 
+/// The same scene with a static box in place of its floor: the box's upper face is the plane z = 0, its middle is not below the bodies.
+pub(super) fn over_static_box(mut scene: Scene) -> Scene {
+    scene.ground = None;
+    scene.bodies.push(cuboid("floor", 1.0, [12.0, 10.0, 1.0], [1.0, -2.0, -1.0]).fixed());
+    scene
+}
+
 /// A solid sphere at rest.
 pub(super) fn sphere(name: &str, mass: f64, radius: f64, position: [f64; 3]) -> Body {
     Body::sphere(name, mass, radius, position)
@@ -37,6 +45,12 @@ pub(super) fn schedule(duration: f64, samples: usize, h: f64) -> (usize, usize) 
     let every = (duration / (h * samples as f64)).round().max(1.0);
     let samples = (duration / (h * every)).round().max(1.0);
     ((samples * every) as usize, every as usize)
+}
+
+/// What lies between the least and the greatest of these values, or within `allowed` of them.
+pub(super) fn between(values: impl IntoIterator<Item = f64>, allowed: f64, why: &str) -> Expectation {
+    let (low, high) = values.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+    Expectation::equal(0.5 * (low + high), 0.5 * (high - low) + allowed, why)
 }
 
 /// The bodies' tracks in the order of their names in the first trajectory; a body that is missing has been refused by the bench.
@@ -78,6 +92,13 @@ mod tests {
             assert!((angle_between(turned(0.0), q) - angle).abs() <= rounding(16, 1.0 + angle));
             assert!((angle_between(turned(0.0), q.map(|x| -x)) - angle).abs() <= rounding(16, 1.0 + angle));
         }
+    }
+
+    #[test]
+    fn what_is_between_is_expected_and_what_is_beside_is_not() {
+        let expected = between([3.0, 1.0, 2.0], 0.25, "");
+        assert!([0.75, 1.5, 3.25].iter().all(|x| expected.holds(*x)) && [0.5, 3.5].iter().all(|x| !expected.holds(*x)));
+        assert!(!between([], 1.0, "").holds(0.0));
     }
 
     #[test]

@@ -46,7 +46,8 @@ const RESTING: &str = "After landing nothing moves. A solver that leaves a part 
     + g h) deep. The engine may correct this depth later. A compliant or slack contact sinks by at most twice its declared rest depth \
     under the whole load, level by level, at up to √(2 g · sink). Springs may give the energy of the falls to one box, which lifts all \
     boxes above it. If an engine declares that a step takes back a part of each depth, the levels rise by that part of the landings' \
-    depths. Boxes on declared springs of a frequency start at the depth of each level, N/(m_p (2πf)²) at its corners, and stay there.";
+    depths; and the pile sways when a corner has no depth left, opens and falls for a step. \
+    Boxes on declared springs of a frequency start at the depth of each level, N/(m_p (2πf)²) at its corners, and stay there.";
 
 /// The checks of the family.
 pub const CHECKS: &[Check] = &[
@@ -190,6 +191,8 @@ struct Rest {
     held: Option<f64>,
     /// Speed that the declared law leaves a heavy box, and any box \[m/s\].
     speeds: Option<[f64; 2]>,
+    /// How far a declared error reduction may sway the uppermost box \[m\].
+    swayed: Option<f64>,
     /// Relative accuracy of impulses.
     solved: f64,
     duration: f64,
@@ -224,6 +227,7 @@ impl Rest {
             sink: with_falls(uppermost),
             held: if let Start::Sprung(depths) = start { depths.iter().copied().reduce(worst) } else { None },
             speeds: (declared.is_some() || pushed > 0.0).then(|| speeds.map(|speed| speed + pushed)),
+            swayed: swayed(&model, masses.len(), h, steps),
             solved: SOLVED,
             duration: steps as f64 * h,
         }
@@ -245,7 +249,9 @@ impl Rest {
         let depth = self.drift + self.landing;
         let held = self.held.map(|held| Expectation::equal(held, depth, "the declared springs carry the load"));
         vec![
-            Measurement::new("largest horizontal displacement while standing", "m", sideways, still(self.drift)),
+            Measurement::new("largest horizontal displacement while standing", "m", sideways, still(self.drift)).predicted(
+                self.swayed.map(|most| Expectation::at_most(most, self.drift, "corners whose depth is taken back open and fall")),
+            ),
             Measurement::new("largest vertical displacement while standing", "m", upwards, still(depth)).predicted(law(depth)),
             Measurement::new("largest turn while standing", "rad", tilt, still(self.drift / (0.5 * WIDTH))),
             Measurement::new("deepest overlap of neighbours", "m", overlap(trajectory), still(depth))
@@ -277,6 +283,16 @@ fn rise(model: &Model, landing: f64, h: f64) -> f64 {
     match model {
         Model::Coulomb(limits) => limits.error_reduction * landing / h,
         _ => 0.0,
+    }
+}
+
+/// How far \[m\] the uppermost box may sway where each depth is taken back to nothing: see [`tolerance::sway`].
+fn swayed(model: &Model, levels: usize, h: f64, steps: usize) -> Option<f64> {
+    match model {
+        Model::Coulomb(limits) if limits.error_reduction > 0.0 && limits.penetration_allowance == 0.0 => {
+            Some(tolerance::sway(limits.error_reduction, 2.0 * HALF * levels as f64, 2.0 * width(levels - 1), GRAVITY, h, steps))
+        }
+        _ => None,
     }
 }
 

@@ -1,8 +1,9 @@
 //! Probes of a description: whether its content can be used.
 
 use crate::conformance::{Probe, Seen, demand, probe, problem, skipped};
-use crate::description::{OneOrMany, Parameter};
+use crate::description::{BodyKind, OneOrMany, Parameter};
 use crate::model::Model;
+use crate::model::addition::Addition;
 use crate::{Description, Kind, Level, unit};
 
 /// Names of numbers with their units; no unit where the number is a list of several.
@@ -18,6 +19,11 @@ const LAWS: [(&str, Kind, Numbers); 7] = [
     ("drake-regularised", Kind::Compliant, &[("stiffness", "N/m"), ("dissipation", "s/m"), ("stiction_tolerance", "m/s")]),
     ("spring-damper", Kind::Compliant, &[("stiffness", "N/m"), ("damping", "N*s/m")]),
 ];
+
+/// Numbers that any law may have, with their units: see [`Addition`].
+fn addition_unit(name: &str) -> Option<&'static str> {
+    Addition::ALL.into_iter().find(|(_, other, ..)| *other == name).map(|(_, _, unit, _)| unit)
+}
 
 /// Numbers that the law `coulomb` may have, with their units.
 const LIMITS: [(&str, &str); 8] = [
@@ -43,6 +49,11 @@ pub(super) fn probe_all(description: &Description, probes: &mut Vec<Probe>) {
         "`contact_model.law` is a law of the specification with the numbers it needs, or null",
         law(description),
     ));
+    probes.push(probe(
+        "describe/scenes",
+        "`shapes` and `bodies` name what scenes may have, once each, with free bodies among them",
+        scenes(description),
+    ));
     probes.push(probe("describe/units", "every parameter has a unit that can be read and that fits the law", units(description)));
 }
 
@@ -56,6 +67,19 @@ fn levels(description: &Description) -> Seen {
     demand(!levels.is_empty(), || "`levels` is empty".into(), "name at least one of `simulate`, `solve` and `project`")?;
     let twice = levels.iter().enumerate().any(|(k, level)| levels[..k].contains(level));
     demand(!twice, || format!("`levels` names a level twice: {levels:?}"), "name each level once")
+}
+
+fn scenes(description: &Description) -> Seen {
+    let (shapes, bodies) = (&description.shapes, &description.bodies);
+    demand(!shapes.is_empty(), || "`shapes` is empty".into(), "name at least one shape, or leave the field out: spheres and boxes")?;
+    let free = bodies.contains(&BodyKind::Free);
+    demand(free, || "`bodies` does not name `free`".into(), "name `free` and what else there is, or leave the field out: free bodies")?;
+    let twice = shapes.iter().enumerate().any(|(k, shape)| shapes[..k].contains(shape));
+    let again = bodies.iter().enumerate().any(|(k, body)| bodies[..k].contains(body));
+    demand(!twice && !again, || format!("a word is there twice: {shapes:?}, {bodies:?}"), "name each once")?;
+    let Some(sleeping) = &description.sleeping else { return Ok(()) };
+    let is_switch = description.options.get(sleeping).is_some_and(serde_json::Value::is_boolean);
+    demand(is_switch, || format!("`sleeping` is `{sleeping}`, which is no option that is true or false"), "name an entry of `options`")
 }
 
 fn laws(description: &Description) -> Seen {
@@ -121,6 +145,9 @@ fn each_unit(parameter: &Parameter) -> &[String] {
 
 /// The unit in which a law has a number, where it is one number.
 fn expected_unit(law: Option<&str>, name: &str) -> Option<&'static str> {
+    if let Some(unit) = addition_unit(name) {
+        return Some(unit);
+    }
     let needed = LAWS.iter().find(|(other, ..)| Some(*other) == law)?.2;
     let limits: Numbers = if law == Some("coulomb") { &LIMITS } else { &[] };
     let (_, unit) = needed.iter().chain(limits).find(|(other, _)| *other == name)?;
@@ -140,11 +167,11 @@ mod tests {
         serde_json::from_value(value).expect("a description")
     }
 
-    fn seen(description: &Description) -> Vec<&'static str> {
+    fn seen(description: &Description) -> Vec<String> {
         let mut probes = Vec::new();
         probe_all(description, &mut probes);
         probes.retain(|probe| matches!(probe.outcome, ProbeOutcome::Problem { .. }));
-        probes.iter().map(|probe| probe.probe).collect()
+        probes.into_iter().map(|probe| probe.probe).collect()
     }
 
     #[test]

@@ -11,11 +11,14 @@ mod rotation;
 mod scenes;
 mod seen;
 mod tasks;
+mod unmoved;
 
 pub use seen::{Probe, ProbeOutcome};
 
 use crate::process::{Fate, Fault, Limits, ProcessEngine};
-use crate::{Description, Level};
+use crate::{Description, Engine, Level, Options, Reply};
+use moreau_dynamics::scenes::Scene;
+use moreau_dynamics::trajectory::Trajectory;
 use schemars::JsonSchema;
 use seen::{Seen, demand, probe, problem, refused, skipped};
 use serde::Serialize;
@@ -33,6 +36,33 @@ impl Conformance {
     /// Whether no probe found a problem.
     pub fn is_sound(&self) -> bool {
         !self.probes.iter().any(|probe| matches!(probe.outcome, ProbeOutcome::Problem { .. }))
+    }
+}
+
+/// What the probes of motion and of contact impulses find wrong with an engine under these options.
+pub fn misreported(engine: &mut dyn Engine, description: &Description, options: &Options) -> Vec<Probe> {
+    let mut probes = Vec::new();
+    if description.levels.contains(&Level::Simulate) {
+        motion::probe_all(&mut Under { engine, options }, description, &mut probes);
+    }
+    probes.retain(|probe| matches!(probe.outcome, ProbeOutcome::Problem { .. }));
+    probes
+}
+
+/// An engine whose every simulation has these options.
+struct Under<'a> {
+    engine: &'a mut dyn Engine,
+    options: &'a Options,
+}
+
+impl Engine for Under<'_> {
+    fn describe(&mut self, options: &Options) -> Reply<Description> {
+        self.engine.describe(options)
+    }
+
+    fn simulate(&mut self, scene: &Scene, time_step: f64, sample_every: usize, options: &Options) -> Reply<Trajectory> {
+        let all: Options = self.options.clone().into_iter().chain(options.clone()).collect();
+        self.engine.simulate(scene, time_step, sample_every, &all)
     }
 }
 

@@ -1,7 +1,8 @@
 //! Probes of simulated motion: samples, initial state, gravity, restitution, repetition.
 
 use crate::conformance::scenes::{EVERY, STEPS, bouncing_ball, landing_ball, thrown_ball, tumbling_brick};
-use crate::conformance::{Probe, ProbeOutcome, Seen, contacts, demand, probe, problem, refused, rotation, skipped};
+use crate::conformance::{Probe, ProbeOutcome, Seen, contacts, demand, probe, problem, refused, rotation, skipped, unmoved};
+use crate::model::Model;
 use crate::tolerance::SAME_TIME;
 use crate::tolerance::conformance::{FREE_FALL, RESTITUTION, STEP, same_state};
 use crate::{Description, Engine, Options, Refusal};
@@ -12,7 +13,10 @@ use nalgebra::{Vector3, Vector4};
 /// The motion of a scene, or why there is none to look at.
 type Motion = Result<Trajectory, ProbeOutcome>;
 
-fn simulate(engine: &mut dyn Engine, scene: &Scene, every: usize) -> Motion {
+fn simulate(engine: &mut dyn Engine, description: &Description, scene: &Scene, every: usize) -> Motion {
+    if let Some(reason) = description.lacks(scene) {
+        return Err(skipped(reason));
+    }
     engine.simulate(scene, STEP, every, &Options::new()).map_err(refused)
 }
 
@@ -23,7 +27,7 @@ fn as_far(motion: &Motion) -> Result<&Trajectory, ProbeOutcome> {
 
 pub(super) fn probe_all(engine: &mut dyn Engine, description: &Description, probes: &mut Vec<Probe>) {
     let scene = thrown_ball();
-    let thrown = simulate(engine, &scene, 1);
+    let thrown = simulate(engine, description, &scene, 1);
     probes.push(probe("simulate/answers", "a sound trajectory/1 is the result", thrown.as_ref().map(drop).map_err(Clone::clone)));
     if matches!(thrown, Err(ProbeOutcome::Problem { .. })) {
         // the other motions would have it as well
@@ -34,18 +38,23 @@ pub(super) fn probe_all(engine: &mut dyn Engine, description: &Description, prob
         probes.push(probe("simulate/unknown-option", "an unknown option is an `error`", unknown_option(engine, &scene)));
     }
     let scene = tumbling_brick();
-    let brick = simulate(engine, &scene, 1);
+    let brick = simulate(engine, description, &scene, 1);
     let start = brick.as_ref().map_err(Clone::clone).and_then(|brick| initial_state(brick, &scene, description));
     probes.push(probe("simulate/orientation", "orientations are unit quaternions w, x, y, z from body to world, as in the scene", start));
     let frame = as_far(&brick).and_then(rotation::frame);
     probes.push(probe("simulate/angular-velocity", "angular velocities are in the world frame, given and reported", frame));
-    contacts::probe_all(simulate(engine, &landing_ball(), EVERY), description, probes);
+    contacts::probe_all(simulate(engine, description, &landing_ball(), EVERY), description, probes);
     probes.push(probe(
         "simulate/restitution",
         "a scene with restitution is simulated with it, or refused if the description says that there is none",
         restitution(engine, description),
     ));
-    let again = as_far(&thrown).and_then(|thrown| same_again(engine, thrown));
+    probes.push(probe(
+        "simulate/unmoved",
+        "declared static bodies stay where they are, and declared prescribed ones keep their velocity, whatever touches them",
+        unmoved::stay_or_move_as_prescribed(engine, description),
+    ));
+    let again = as_far(&thrown).and_then(|thrown| same_again(engine, description, thrown));
     probes.push(probe("simulate/same-twice", "the same request gets the same answer, bit by bit, whatever requests come between", again));
 }
 
@@ -54,7 +63,7 @@ fn probe_samples(engine: &mut dyn Engine, description: &Description, scene: &Sce
     probes.push(probe("simulate/samples", "samples are at k·sample_every·h, beginning with t = 0, up to the duration", sampled));
     let start = as_far(thrown).and_then(|thrown| initial_state(thrown, scene, description));
     probes.push(probe("simulate/initial-state", "the first sample is the scene's initial state", start));
-    let falling = as_far(thrown).and_then(|thrown| free_fall(thrown, scene));
+    let falling = as_far(thrown).and_then(|thrown| free_fall(thrown, scene, description));
     probes.push(probe("simulate/gravity", "a body without contact falls with the scene's gravity", falling));
     let sparse = as_far(thrown).and_then(|thrown| sample_every(engine, thrown, scene, description));
     probes.push(probe("simulate/sample-every", "a request for every third state gives the same motion, sampled less often", sparse));
@@ -127,18 +136,21 @@ fn orientation(body: &Body, track: &BodyTrack, tolerance: f64) -> Seen {
     Err(problem(format!("orientation[0] is {:?} instead of {:?}", seen.as_slice(), given.as_slice()), cure))
 }
 
-fn free_fall(trajectory: &Trajectory, scene: &Scene) -> Seen {
+fn free_fall(trajectory: &Trajectory, scene: &Scene, description: &Description) -> Seen {
     let track = &trajectory.bodies[0];
     let gained = Vector3::from(scene.gravity) * scene.duration;
-    let expected = Vector3::from(scene.bodies[0].linear_velocity) + gained;
+    let start = Vector3::from(scene.bodies[0].linear_velocity);
+    let expected = start + gained;
+    // declared damping c takes at most c T of any velocity
+    let damped = Model::of(description).damping().map_or(0.0, |(linear, _)| linear * scene.duration * (start.norm() + gained.norm()));
     let last = track.linear_velocity.last().copied().unwrap_or_default();
     let why = || format!("after {} s without contact the velocity is {last:?} instead of {:?}", scene.duration, expected.as_slice());
-    let met = (Vector3::from(last) - expected).norm() <= FREE_FALL * gained.norm();
+    let met = (Vector3::from(last) - expected).norm() <= FREE_FALL * gained.norm() + damped;
     demand(met, why, "use the scene's gravity, all three components, and record states after their steps")
 }
 
 fn sample_every(engine: &mut dyn Engine, dense: &Trajectory, scene: &Scene, description: &Description) -> Seen {
-    let sparse = simulate(engine, scene, EVERY)?;
+    let sparse = simulate(engine, description, scene, EVERY)?;
     samples(&sparse, scene, EVERY)?;
     let scale = dense.bodies[0].position.iter().flatten().fold(0.0, |largest: f64, x| largest.max(x.abs()));
     for (k, position) in sparse.bodies[0].position.iter().enumerate() {
@@ -165,6 +177,9 @@ fn unknown_option(engine: &mut dyn Engine, scene: &Scene) -> Seen {
 
 fn restitution(engine: &mut dyn Engine, description: &Description) -> Seen {
     const ASKED: f64 = 0.5;
+    if let Some(reason) = description.lacks(&bouncing_ball(ASKED)) {
+        return Err(skipped(reason));
+    }
     let answer = engine.simulate(&bouncing_ball(ASKED), STEP, 1, &Options::new());
     let trajectory = match answer {
         Err(Refusal::Unsupported(_)) if !description.restitution => return Ok(()),
@@ -185,8 +200,8 @@ fn restitution(engine: &mut dyn Engine, description: &Description) -> Seen {
     demand((seen - ASKED).abs() <= RESTITUTION, why, cure)
 }
 
-fn same_again(engine: &mut dyn Engine, first: &Trajectory) -> Seen {
+fn same_again(engine: &mut dyn Engine, description: &Description, first: &Trajectory) -> Seen {
     let cure = "build the engine's world anew for every request, and seed what is random";
-    let second = simulate(engine, &thrown_ball(), 1)?;
+    let second = simulate(engine, description, &thrown_ball(), 1)?;
     demand(second == *first, || "the same request, repeated after other scenes, gives another motion".into(), cure)
 }

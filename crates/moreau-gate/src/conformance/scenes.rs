@@ -1,7 +1,7 @@
 //! The scenes of the probes: one body each, a few steps.
 
 use crate::tolerance::conformance::STEP;
-use moreau_dynamics::scenes::{Body, Cuboid, Ground, Material, Scene, Sphere};
+use moreau_dynamics::scenes::{Body, Cuboid, Ground, Material, Prescribed, Scene};
 
 /// How long a probe runs, in steps.
 pub(super) const STEPS: usize = 12;
@@ -46,22 +46,24 @@ pub(super) fn bouncing_ball(restitution: f64) -> Scene {
     scene
 }
 
+/// The ball falls on a slab that nothing moves but, if it is given one, its velocity; the slab also turns then.
+pub(super) fn ball_on_slab(velocity: Option<[f64; 3]>) -> Scene {
+    let mut scene = landing_ball();
+    scene.ground = None;
+    let slab = Body::cuboid("slab", MASS, [1.0, 1.0, 0.1], [0.0, 0.0, -0.1]);
+    scene.bodies.push(match velocity {
+        None => slab.fixed(),
+        Some(velocity) => Body { prescribed: Some(Prescribed { velocity, angular_velocity: [0.0, 0.0, 1.0] }), ..slab.driven(velocity) },
+    });
+    scene
+}
+
 fn ground() -> Ground {
     Ground { normal: [0.0, 0.0, 1.0], offset: 0.0 }
 }
 
 fn ball(position: [f64; 3], linear_velocity: [f64; 3]) -> Body {
-    Body {
-        name: "probe".into(),
-        sphere: Some(Sphere { radius: 0.1 }),
-        cuboid: None,
-        mass: MASS,
-        inertia: None,
-        position,
-        orientation: [1.0, 0.0, 0.0, 0.0],
-        linear_velocity,
-        angular_velocity: [0.0; 3],
-    }
+    Body { linear_velocity, ..Body::sphere("probe", MASS, 0.1, position) }
 }
 
 fn scene(name: &str, gravity: [f64; 3], ground: Option<Ground>, body: Body, steps: usize) -> Scene {

@@ -2,22 +2,22 @@
 
 use crate::Refusal;
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// What came out of asking one thing.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Probe {
     /// `subject/what`.
-    pub probe: &'static str,
+    pub probe: String,
     /// What the protocol demands.
-    pub demand: &'static str,
+    pub demand: String,
     /// Whether it is met.
     #[serde(flatten)]
     pub outcome: ProbeOutcome,
 }
 
 /// The outcome of a probe.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "outcome", rename_all = "kebab-case")]
 pub enum ProbeOutcome {
     /// The adapter behaves as demanded.
@@ -41,7 +41,7 @@ pub(super) type Seen = Result<(), ProbeOutcome>;
 
 pub(super) fn probe(name: &'static str, demand: &'static str, seen: Seen) -> Probe {
     let outcome = seen.map_or_else(|outcome| outcome, |()| ProbeOutcome::Ok);
-    Probe { probe: name, demand, outcome }
+    Probe { probe: name.into(), demand: demand.into(), outcome }
 }
 
 pub(super) fn problem(why: impl std::fmt::Display, cure: impl Into<String>) -> ProbeOutcome {

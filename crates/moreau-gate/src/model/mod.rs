@@ -2,6 +2,7 @@
 //!
 //! One file per quantity that a law predicts; each returns `None` where the law predicts the same as Coulomb–Signorini.
 
+pub mod addition;
 pub mod compression;
 pub mod creep;
 pub mod damping;
@@ -10,6 +11,7 @@ pub mod regularised;
 pub mod sink;
 pub mod sliding;
 pub mod solid;
+pub mod springs;
 
 use crate::{ContactModel, Description};
 use moreau_forms::mujoco_contact::ContactParameters;
@@ -50,6 +52,8 @@ pub enum Model {
         stiffness: f64,
         /// c \[N·s/m\].
         damping: f64,
+        /// The longest step \[s\] within a step, if it is declared.
+        substep: Option<f64>,
     },
     /// Compliant without a documented law, or a law the gate does not know: nothing is predicted.
     Unknown,
@@ -74,6 +78,8 @@ pub struct RigidLimits {
     pub error_reduction: f64,
     /// Largest such velocity \[m/s\]; 0 if it has no limit.
     pub correction_speed: f64,
+    /// Part of a depth that a step takes back by moving the bodies, whose velocities stay.
+    pub position_correction: f64,
     /// c: a contact answers as if its own 1/m_p were (1 + c) times what it is.
     pub force_mixing: f64,
     /// Damping rate of linear velocities \[1/s\].
@@ -87,6 +93,11 @@ impl RigidLimits {
     pub fn slowest_bounce(&self, restitution: f64) -> f64 {
         let rebound = if self.rebound_threshold > 0.0 { self.rebound_threshold / restitution } else { 0.0 };
         self.restitution_threshold.max(rebound)
+    }
+
+    /// Part of a depth that a step takes back, by a velocity or in the position alone.
+    pub fn taken_back(&self) -> f64 {
+        self.error_reduction.max(self.position_correction)
     }
 
     /// Normal velocity \[m/s\] with which a step pushes a pair of bodies out of a depth \[m\].
@@ -124,6 +135,7 @@ fn known(law: &str, model: &ContactModel) -> Option<Model> {
                 ground_contact_frequency: number("ground_contact_frequency").unwrap_or(contact_frequency),
                 error_reduction: or_zero("error_reduction"),
                 correction_speed: or_zero("correction_speed"),
+                position_correction: or_zero("position_correction"),
                 force_mixing: or_zero("force_mixing"),
                 linear_damping: or_zero("linear_damping"),
                 angular_damping: or_zero("angular_damping"),
@@ -142,7 +154,11 @@ fn known(law: &str, model: &ContactModel) -> Option<Model> {
             dissipation: number("dissipation")?,
             stiction_tolerance: number("stiction_tolerance")?,
         },
-        "spring-damper" => Model::SpringDamper { stiffness: number("stiffness")?, damping: number("damping")? },
+        "spring-damper" => Model::SpringDamper {
+            stiffness: number("stiffness")?,
+            damping: number("damping")?,
+            substep: number("substep").filter(|substep| *substep > 0.0),
+        },
         _ => return None,
     })
 }

@@ -1,7 +1,7 @@
 //! What compliant laws do along the normal of one contact: replays of their one-dimensional discrete maps, and the depth at rest.
 
 use crate::description::Friction;
-use crate::model::Model;
+use crate::model::{Model, springs};
 use moreau_forms::drake_normal::HuntCrossley;
 use moreau_forms::drake_sap::{SapContact, TANGENTIAL_RATIO};
 use moreau_forms::mujoco_normal::NormalContact;
@@ -90,6 +90,17 @@ impl Normal {
             tangential_ratio: TANGENTIAL_RATIO,
             friction: self.friction,
         })
+    }
+
+    /// The motions that the law allows, each as by [`Normal::replay`]: one of a law with a documented step, several of a spring and damper,
+    /// whose steps nobody documents; `None` if the law gives none.
+    pub fn replays(&self, model: &Model, gap: f64, velocity: f64, steps: usize) -> Option<Vec<Vec<(f64, f64)>>> {
+        match model {
+            Model::SpringDamper { .. } => {
+                Some(springs::replays(model, (self.mass, self.acceleration), self.time_step, (gap, velocity), steps))
+            }
+            _ => self.replay(model, gap, velocity, steps).map(|states| vec![states]),
+        }
     }
 
     /// (gap, velocity) at the start and after each of `steps` steps v⁺ = v + h a₀ + r/m̄, gap⁺ = gap + h v⁺, if the law gives r.

@@ -49,7 +49,7 @@ mod tests {
 
     #[test]
     fn springs_sink_by_twice_their_rest_depth_and_levels_add_up() {
-        let model = Model::SpringDamper { stiffness: 1000.0, damping: 1.0 };
+        let model = Model::SpringDamper { stiffness: 1000.0, damping: 1.0, substep: None };
         assert_eq!(sink(&model, &LEVELS, 1e-3), Some(0.06));
     }
 

@@ -41,19 +41,26 @@ macro_rules! scheme {
     };
 }
 
+mod bounce;
 mod determinism;
 mod flight;
 mod friction;
 mod impact;
+mod limits;
 mod metamorphic;
 mod mistake;
+mod pair;
 mod parts;
 mod projection;
+mod reported;
 mod rocking;
+mod round;
 mod scheme;
 mod solver;
+mod spin;
 mod stack;
 mod tumbling;
+mod unmoved;
 mod wrapped;
 
 pub use mistake::Faulty;
@@ -77,6 +84,13 @@ pub fn all() -> impl Iterator<Item = &'static Planted<Faulty>> {
         scheme::PLANTED,
         projection::PLANTED,
         tumbling::PLANTED,
+        spin::PLANTED,
+        reported::PLANTED,
+        limits::PLANTED,
+        bounce::PLANTED,
+        pair::PLANTED,
+        unmoved::PLANTED,
+        round::PLANTED,
     ]
     .into_iter()
     .flatten()

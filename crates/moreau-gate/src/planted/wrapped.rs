@@ -113,8 +113,9 @@ impl Engine for EachStep {
                 for (track, body) in whole.bodies.iter_mut().zip(&state.bodies) {
                     track.position.push(body.position);
                     track.orientation.push(body.orientation);
-                    track.linear_velocity.push(body.linear_velocity);
-                    track.angular_velocity.push(body.angular_velocity);
+                    let [linear, angular] = body.velocities();
+                    track.linear_velocity.push(linear);
+                    track.angular_velocity.push(angular);
                 }
             }
         }
@@ -139,6 +140,9 @@ fn take_over(scene: &mut Scene, one: &Trajectory) {
         let last = track.position.len() - 1;
         body.position = track.position[last];
         body.orientation = track.orientation[last];
+        if !body.is_free() {
+            continue;
+        }
         body.linear_velocity = track.linear_velocity[last];
         body.angular_velocity = track.angular_velocity[last];
     }

@@ -1,4 +1,5 @@
-//! The one clock of the gate: how long an engine may still take. No result of an engine that answers depends on it.
+//! The one clock of the gate: how long an engine may still take, and how long a check took. No result of an engine that answers depends on
+//! it.
 
 use std::time::{Duration, Instant};
 
@@ -15,6 +16,13 @@ impl Deadline {
     pub(super) fn remaining(&self) -> Duration {
         self.0.map_or(Duration::MAX, |end| end.saturating_duration_since(Instant::now()))
     }
+}
+
+/// What a computation gives, and how long it took.
+pub(crate) fn timed<T>(compute: impl FnOnce() -> T) -> (T, Duration) {
+    let begin = Instant::now();
+    let value = compute();
+    (value, begin.elapsed())
 }
 
 /// Asks `ready` again and again, at growing intervals of up to 10 ms, until it answers or the limit is over.

@@ -1,9 +1,14 @@
 //! Child processes in groups of their own, and a register of the living ones, so that none outlives the gate.
 //!
-//! A group is ended by SIGKILL to all its members: the child, and whatever it has started. A member that leaves the group (a daemon)
-//! is out of reach; the threads at its pipes end when it does.
+//! A group is ended by SIGKILL to all its members and to the descendants that have left it. Out of reach is a daemon, which has left both
+//! its group and its parents; the threads at its pipes end when it does. A gate that is killed itself leaves a [`Guard`] behind, which
+//! ends the group.
 
 use crate::process::deadline::poll;
+#[cfg(unix)]
+use crate::process::descendants::{descendants, end};
+#[cfg(unix)]
+use crate::process::guard::Guard;
 use moreau_exact::{Error, Result};
 use process_wrap::std::{ChildWrapper, CommandWrap};
 use std::io;
@@ -25,6 +30,8 @@ static LIVING: Mutex<Vec<Handle>> = Mutex::new(Vec::new());
 /// A child process with everything it starts.
 pub(super) struct Group {
     handle: Handle,
+    #[cfg(unix)]
+    _guard: Guard,
 }
 
 /// The gate's ends of a child's three streams.
@@ -45,10 +52,16 @@ impl Group {
         wrap.wrap(process_wrap::std::ProcessGroup::leader());
         let mut living = lock(&LIVING);
         let mut child = wrap.spawn()?;
+        #[cfg(unix)]
+        let guard = Guard::of(child.id()).inspect_err(|_| drop(child.start_kill()))?;
         let streams = (child.stdin().take(), child.stdout().take(), child.stderr().take());
         let handle: Handle = Arc::new(Mutex::new(child));
         living.push(handle.clone());
-        let group = Group { handle };
+        let group = Group {
+            handle,
+            #[cfg(unix)]
+            _guard: guard,
+        };
         match streams {
             (Some(input), Some(output), Some(errors)) => Ok((group, Streams { input, output, errors })),
             _ => Err(io::Error::other("its standard streams are missing")),
@@ -80,8 +93,11 @@ impl Drop for Group {
 }
 
 fn kill(handle: &Handle) {
+    let mut child = lock(handle);
+    #[cfg(unix)]
+    descendants(child.id()).into_iter().for_each(end);
     // a group without members cannot be killed, and need not be
-    let _ = lock(handle).start_kill();
+    let _ = child.start_kill();
 }
 
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {

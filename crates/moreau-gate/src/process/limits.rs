@@ -7,6 +7,8 @@ use std::time::Duration;
 pub struct Limits {
     /// From writing a request to the end of its reply.
     pub reply: Duration,
+    /// The same for the first request, which begins with the start of the program.
+    pub start: Duration,
     /// Bytes of a line, without its end.
     pub line: usize,
     /// How long it may take to end after `bye`, or after it closed its standard output.
@@ -14,8 +16,8 @@ pub struct Limits {
 }
 
 impl Default for Limits {
-    /// 60 s, 256 MiB, 2 s.
+    /// 60 s, 60 s, 256 MiB, 2 s.
     fn default() -> Self {
-        Limits { reply: Duration::from_secs(60), line: 256 << 20, farewell: Duration::from_secs(2) }
+        Limits { reply: Duration::from_secs(60), start: Duration::from_secs(60), line: 256 << 20, farewell: Duration::from_secs(2) }
     }
 }

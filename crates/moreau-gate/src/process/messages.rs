@@ -5,7 +5,7 @@
 //! reply     {"id": 7, "result": …} | {"id": 7, "unsupported": "reason"} | {"id": 7, "error": "message"}
 //! ```
 
-use crate::process::words;
+use crate::process::{not_finite, words};
 use crate::{Description, Options};
 use moreau_contact::files::{read_object, read_schema};
 use moreau_contact::problem::{ContactProblem, Solution};
@@ -155,7 +155,10 @@ pub fn open(line: &[u8], id: Option<u64>) -> Result<Answer<'_>, String> {
     if !text.trim_start().starts_with('{') {
         return Err(format!("the line is not a reply: it is not a JSON object{}", shown()));
     }
-    let envelope: Envelope = serde_json::from_str(text).map_err(|error| format!("the line is not a reply: {error}{}", shown()))?;
+    let envelope: Envelope = serde_json::from_str(text).map_err(|error| match not_finite::first(text) {
+        Some(place) => format!("{place}: the line is not JSON, which knows finite numbers only"),
+        None => format!("the line is not a reply: {error}{}", shown()),
+    })?;
     if let Some(id) = id {
         match envelope.id.map(RawValue::get) {
             Some(text) if text == id.to_string() => {}
@@ -279,7 +282,7 @@ mod tests {
             (br#"{"id":7,"result":{},"error":"x"}"#, "exactly one"),
             (br#"{"id":7,"results":{}}"#, "unknown field `results`"),
             (br#"{"id":7,"result":[[1,0]]}"#, "`result` is not a JSON object"),
-            (br#"{"id":7,"result":NaN}"#, "is not a reply"),
+            (br#"{"id":7,"result":{"bodies":[{"name":"a","position":[[0,NaN]]}]}}"#, "`bodies[0].position[0][1]` of body `a` is NaN"),
         ];
         for (line, expected) in cases {
             let message = open(line, Some(7)).expect_err("not a reply");

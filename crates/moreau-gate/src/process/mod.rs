@@ -3,10 +3,14 @@
 //! Whatever the process does, a request ends: with its reply, or with a cause in words. After a fault the process is ended with
 //! everything it has started, and begins anew for the next request.
 
-mod deadline;
+pub(crate) mod deadline;
+mod descendants;
 mod group;
+#[cfg(unix)]
+mod guard;
 mod limits;
 pub mod messages;
+mod not_finite;
 mod pipes;
 mod session;
 mod words;

@@ -22,6 +22,8 @@ pub struct Session {
     begun: Begun,
     errors: Tail,
     limits: Limits,
+    /// Whether it has replied once.
+    has_replied: bool,
 }
 
 /// Why a session is over.
@@ -66,7 +68,7 @@ impl Session {
         let (group, streams) = Group::start(command).map_err(not_started)?;
         let (sender, events, begun) = read_lines(streams.output, limits.line);
         let requests = Some(write_lines(streams.input, sender));
-        Ok(Session { group, requests, events, begun, errors: Tail::of(streams.errors), limits })
+        Ok(Session { group, requests, events, begun, errors: Tail::of(streams.errors), limits, has_replied: false })
     }
 
     /// The process number of the child.
@@ -80,7 +82,10 @@ impl Session {
     /// [`Fault`]; then the child has been ended, with everything it started, and the session is of no more use.
     pub fn exchange(&mut self, request: &str) -> Result<Vec<u8>, Fault> {
         match self.converse(request) {
-            Ok(line) => Ok(line),
+            Ok(line) => {
+                self.has_replied = true;
+                Ok(line)
+            }
             Err(cause) => Err(self.fail(cause)),
         }
     }
@@ -88,13 +93,14 @@ impl Session {
     fn converse(&mut self, request: &str) -> Result<Vec<u8>, Fate> {
         self.quiet()?;
         self.write(request);
-        match self.next_event(&Deadline::after(self.limits.reply)) {
+        let limit = if self.has_replied { self.limits.reply } else { self.limits.start };
+        match self.next_event(&Deadline::after(limit)) {
             Some(Event::Line { line, followed: false }) => Ok(line),
             Some(Event::Line { line, followed: true }) => Err(Fate::Followed(words::beginning(&line))),
             Some(other) => Err(self.cause_of(other)),
             None => Err(match self.group.wait(Duration::ZERO) {
                 Some(status) => Fate::Ended(status, self.begun()),
-                None => Fate::TimedOut(format!("{:?}", self.limits.reply), self.begun()),
+                None => Fate::TimedOut(format!("{limit:?}"), self.begun()),
             }),
         }
     }

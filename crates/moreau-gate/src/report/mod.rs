@@ -8,8 +8,16 @@ mod plot;
 pub mod scoreboard;
 pub mod text;
 
-use crate::{CheckOutcome, Measurement, StepOutcome, Verdict};
+use crate::{CheckOutcome, Measurement, Report, StepOutcome, Verdict};
 use moreau_checks::Relation;
+
+/// The verdicts in the order of a summary.
+const ORDER: [Verdict; 5] = [Verdict::Pass, Verdict::Difference, Verdict::Unsupported, Verdict::Errored, Verdict::Fail];
+
+/// How many checks have each verdict, in words.
+fn counts(report: &Report) -> String {
+    ORDER.iter().map(|verdict| format!("{} {}", report.count(*verdict), verdict.word())).collect::<Vec<_>>().join(", ")
+}
 
 /// The measurement that decides a check: the first of the worst verdict at the largest step, or the first of all.
 pub fn decisive(check: &CheckOutcome) -> Option<(&StepOutcome, &Measurement)> {

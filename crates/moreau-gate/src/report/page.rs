@@ -1,7 +1,8 @@
 //! The gate's report as one self-contained HTML page: no scripts, no other files.
 
 use crate::baseline::{Change, ChangeKind};
-use crate::report::{decisive, plot, sentence};
+use crate::conformance::ProbeOutcome;
+use crate::report::{counts, decisive, plot, sentence};
 use crate::{CheckOutcome, Measurement, Report, StepOutcome, checks};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use moreau_exact::Result;
@@ -21,14 +22,23 @@ span.verdict{display:inline-block;min-width:6.5rem;padding:0 .4rem;border-radius
 /// If a picture cannot be drawn.
 pub fn html(report: &Report, changes: Option<&[Change]>) -> Result<String> {
     let title = format!("moreau gate: {} {}", report.engine.name, report.engine.version);
-    let details = report.checks.iter().map(details).collect::<Result<Vec<_>>>()?;
+    let mut outcomes: Vec<&CheckOutcome> = report.checks.iter().collect();
+    outcomes.sort_by_key(|outcome| std::cmp::Reverse(outcome.verdict.is_bad()));
+    let details = outcomes.into_iter().map(details).collect::<Result<Vec<_>>>()?;
     let page = html! {
         (DOCTYPE)
         html lang="en" {
-            head { meta charset="utf-8"; title { (title) } style { (PreEscaped(STYLE)) } }
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                title { (title) }
+                style { (PreEscaped(STYLE)) }
+            }
             body {
                 h1 { (title) }
+                p { b { (report.checks.len()) " checks: " (counts(report)) } }
                 (engine(report))
+                (adapter(report))
                 p { "In the pictures: " b style="color:#0072b2" { "measured" } ", " b style="color:#999" { "allowed to a sound \
                     discretisation" } ", "
                     b style="color:#d55e00" { "the declared law's own deviation" } "." }
@@ -53,6 +63,22 @@ fn engine(report: &Report) -> Markup {
             } }
             tr { th { "options" } td { code { (serde_json::Value::Object(report.engine.options.clone())) } } }
             tr { th { "time steps [s]" } td { (steps.join(", ")) } }
+        }
+    }
+}
+
+/// What is wrong with the adapter.
+fn adapter(report: &Report) -> Markup {
+    html! {
+        @if !report.adapter.is_empty() {
+            h2 { "The adapter" }
+            ul {
+                @for probe in &report.adapter {
+                    @if let ProbeOutcome::Problem { why, cure } = &probe.outcome {
+                        li class="fail" { b { (probe.probe) } " " (probe.demand) ". Seen: " (why) ". Cure: " (cure) "." }
+                    }
+                }
+            }
         }
     }
 }

@@ -1,13 +1,11 @@
 //! The gate's report as a table for a terminal.
 
 use crate::baseline::{Change, ChangeKind};
-use crate::report::{decisive, sentence};
+use crate::conformance::ProbeOutcome;
+use crate::report::{counts, decisive, sentence};
 use crate::{CheckOutcome, Report, Verdict};
 use moreau_checks::text::Style;
 use moreau_exact::number::significant;
-
-/// The verdicts in the order of the summary.
-const ORDER: [Verdict; 5] = [Verdict::Pass, Verdict::Difference, Verdict::Unsupported, Verdict::Errored, Verdict::Fail];
 
 /// One block per check: verdict, name, and what decided it.
 pub fn table(report: &Report, style: Style) -> String {
@@ -21,11 +19,22 @@ pub fn table(report: &Report, style: Style) -> String {
         engine.contact_model.kind,
         steps.join(", ")
     );
+    text += &adapter(report);
     for check in &report.checks {
         text += &line(check, style);
+        text.extend(report.explaining(check).map(|probe| format!("            see the adapter's {} above\n", probe.probe)));
     }
-    let counts = ORDER.iter().map(|verdict| format!("{} {}", report.count(*verdict), verdict.word()));
-    text + &format!("\n{} checks: {}\n", report.checks.len(), counts.collect::<Vec<_>>().join(", "))
+    text + &format!("\n{} checks: {}\n", report.checks.len(), counts(report))
+}
+
+/// What is wrong with the adapter, before any check.
+fn adapter(report: &Report) -> String {
+    let told = report.adapter.iter().filter_map(|probe| match &probe.outcome {
+        ProbeOutcome::Problem { why, cure } => Some(format!("  {}: {}\n    seen: {why}\n    cure: {cure}\n", probe.probe, probe.demand)),
+        _ => None,
+    });
+    let told: String = told.collect();
+    if told.is_empty() { told } else { format!("The adapter, by the probes of `moreau protocol-check`:\n{told}\n") }
 }
 
 fn line(check: &CheckOutcome, style: Style) -> String {

@@ -44,14 +44,32 @@ pub fn apex_gain(height: f64, gravity: f64, h: f64, spacing: f64, samples: usize
 /// [`moreau_checks::tolerance::zeno`] over the activation rules A, B and D and θ = ½ and 1.
 /// Derived.
 pub fn absorption(e: f64, impact_speed: f64) -> [f64; 2] {
-    let mut widest = [0.0f64; 2];
-    for (forecast, offset) in [(0.0, 0.0), (0.5, 0.0), (1.0, 1.0)] {
-        for theta in [0.5, 1.0] {
-            let bounds = moreau_checks::tolerance::zeno::Drop { forecast, offset, theta, restitution: e, impact_speed }.bounds();
-            widest = [widest[0].max(bounds.early), widest[1].max(bounds.late)];
-        }
-    }
-    widest
+    let bounds = drops(e, impact_speed).map(|drop| drop.bounds());
+    bounds.fold([0.0; 2], |[early, late], bounds| [early.max(bounds.early), late.max(bounds.late)])
+}
+
+/// Steps by which a ball may be absorbed late after n bounces, however slow they are. By section 3 of [`moreau_checks::tolerance::zeno`]
+/// the first impact is at most δ₀ too fast and each next one at most δ₊ faster than e times the last, so that all are at most Δ = δ₀ +
+/// δ₊/(1 − e) faster than the exact ones. By section 5 a flight then lasts (1 + e) Δ + 1 steps too long. At most three active steps follow
+/// before the next, by section 6.
+/// Derived.
+pub fn late_after(e: f64, bounces: usize) -> f64 {
+    let late = |drop: moreau_checks::tolerance::zeno::Drop| {
+        let kappa = drop.theta + drop.forecast;
+        let (p, q, r) = (kappa - 1.5, 0.5 + (kappa - 1.0) / e, kappa - 1.0);
+        let faster = q - p + (p * p - q * q + 2.0 * r).max(0.0).sqrt();
+        let first = drop.first_impact();
+        first + 1.0 + bounces as f64 * ((1.0 + e) * (first + faster / (1.0 - e)) + 1.0 + 3.0)
+    };
+    // The first impact is faster by no more for a faster ball.
+    drops(e, 1.0).map(late).fold(0.0, f64::max)
+}
+
+/// The drop under the activation rules A, B and D and θ = ½ and 1.
+fn drops(restitution: f64, impact_speed: f64) -> impl Iterator<Item = moreau_checks::tolerance::zeno::Drop> {
+    let rules = [(0.0, 0.0), (0.5, 0.0), (1.0, 1.0)];
+    let with = move |(forecast, offset), theta| moreau_checks::tolerance::zeno::Drop { forecast, offset, theta, restitution, impact_speed };
+    rules.into_iter().flat_map(move |rule| [0.5, 1.0].map(|theta| with(rule, theta)))
 }
 
 /// Speed \[m/s\] below which a ball counts as resting: the gravity of one step, g h.
@@ -73,9 +91,9 @@ pub fn place(samples: usize, size: f64, epsilon: f64) -> f64 {
     16.0 * samples as f64 * epsilon * size
 }
 
-/// Time between samples \[s\] of motions of some seconds.
+/// Time between samples \[s\] of motions of some seconds; a step of this length and more is sampled every time.
 /// Set.
-pub const SETTLING_SAMPLE: f64 = 2e-3;
+pub const SETTLING_SAMPLE: f64 = 1e-3;
 
 /// Longest contact that is waited for \[s\]: half a period π√(m/k) of a spring of 1 kg softer than any engine's default, 1 kN/m.
 /// Derived.

@@ -12,6 +12,13 @@ pub fn same_state(epsilon: f64) -> f64 {
     2.0 * 32.0 * epsilon
 }
 
+/// How far \[m\] a body with a prescribed velocity \[m/s\] may be from its place after so many steps of [`STEP`]: its way is rounded in
+/// each, and it is converted, see [`same_state`]; a place of 1 m more.
+/// Derived.
+pub fn kept_velocity(epsilon: f64, speed: f64, steps: usize) -> f64 {
+    same_state(epsilon) * (1.0 + steps as f64 * speed * STEP) + epsilon * steps as f64
+}
+
 /// How far the mean angular velocity of an interval may be from the mean of its ends: Δt |ω|². Euler's equations give |ω̇| ≤ |ω|², because
 /// the moments of a rigid body satisfy |I₁ − I₂| ≤ I₃. A first-order scheme turns by the velocity of one end, which is off by ½ Δt |ω̇|.
 /// The scheme's own error in ω gets as much again.
@@ -21,7 +28,6 @@ pub fn mean_angular_velocity(interval: f64, angular_speed: f64) -> f64 {
 }
 
 /// How far a velocity in free fall may be from v₀ + g t, in units of g t: half of one step of the probe's 12. So a missing step is found.
-/// Damping that an engine declares changes the velocity by far less.
 /// Derived.
 pub const FREE_FALL: f64 = 1.0 / 24.0;
 

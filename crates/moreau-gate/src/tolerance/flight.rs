@@ -10,13 +10,14 @@ use nalgebra::{Matrix3, Vector3};
 
 pub use moreau_forms::tolerance::{TOP_STEPS, top_reference};
 
-/// ½|g| h t \[m\] and the rounding of n additions to coordinates up to `size`.
+/// ½|g| h t \[m\].
 /// Derived.
-pub fn position(gravity: f64, h: f64, steps: usize, size: f64, epsilon: f64) -> f64 {
-    0.5 * gravity * h * h * steps as f64 + rounding(steps, size, epsilon)
+pub fn position(gravity: f64, h: f64, time: f64) -> f64 {
+    0.5 * gravity * h * time
 }
 
-/// n additions to a number of at most `size`, each of a product of two rounded factors no larger: 2 n ε S.
+/// n additions to a number of at most `size`, each of a product of two rounded factors no larger: 2 n ε S. An engine that declares a
+/// `substep` makes so many of them in a step.
 /// Derived.
 pub fn rounding(steps: usize, size: f64, epsilon: f64) -> f64 {
     2.0 * (steps + 1) as f64 * epsilon * size

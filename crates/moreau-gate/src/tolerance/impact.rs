@@ -21,6 +21,13 @@ pub fn approach(tangent: f64, turned: f64) -> f64 {
     turned * tangent + 0.5 * turned * turned
 }
 
+/// Part of a velocity after at most two impacts that declared damping c leaves more than e^{−cT}: a step whose impact law takes the
+/// approach from before the step damps nothing, c h.
+/// Derived.
+pub fn skipped(damping: f64, h: f64) -> f64 {
+    2.0 * damping * h
+}
+
 /// The results that a declared law may give for an elastic impact of three equal spheres, two of which touch. Velocities are divided by
 /// the speed of the first sphere, and the energy after the impact by the energy before it.
 pub struct SoftCradle {

@@ -20,6 +20,12 @@ pub fn velocity(speed: f64, gravity: f64, duration: f64) -> f64 {
     SOLVED * 2.0 * (speed + gravity * duration)
 }
 
+/// Whether a depth of which every step takes back a part r falls below what solvers leave, [`SOLVED`], within n steps: (1 − r)ⁿ ≤ s.
+/// Derived.
+pub fn vanishes(reduction: f64, steps: f64) -> bool {
+    reduction > 0.0 && steps * (1.0 - reduction.min(1.0 - f64::EPSILON)).ln() <= SOLVED.ln()
+}
+
 /// Error of a velocity \[m/s\] because of a distance L \[m\] from the origin. Positions are spaced ε L apart. A scheme that computes
 /// velocities from gaps is off by ε L/h in each of T/h steps. A scheme that does not is not off.
 /// Derived.

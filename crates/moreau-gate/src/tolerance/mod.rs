@@ -4,20 +4,24 @@
 //! declared law predicts (an allowance of the model). Both grow by the rounding of the engine's own precision where that is coarser.
 
 pub mod ball;
+pub mod bounce;
 pub mod conformance;
 pub mod contact;
-pub mod energy;
+pub mod conveyor;
 pub mod flight;
 pub mod impact;
 pub mod incline;
 pub mod isotropy;
+pub mod limits;
 pub mod metamorphic;
 pub mod painleve;
+pub mod pair;
 pub mod projection;
 pub mod rest;
 pub mod rocking;
 pub mod rolling;
 pub mod solver;
+pub mod spin;
 pub mod stack;
 pub mod tumbling;
 

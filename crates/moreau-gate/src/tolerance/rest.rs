@@ -31,6 +31,14 @@ pub fn velocity(gravity: f64, h: f64) -> f64 {
     std::f64::consts::SQRT_2 * SOLVED * gravity * h
 }
 
+/// Speed \[m/s\] of a body at rest whose depth is taken back by a declared part r ≤ 1: it opens, is found again at a depth of at most 3/2 g
+/// h² ([`super::ball::depth`]), and is pushed out at r times that over h, no faster than it fell, so that it is found no deeper the next
+/// time ([`super::incline::pushed_creep`]). It counts √2 times with its turning, as in [`velocity`].
+/// Derived.
+pub fn pushed_velocity(gravity: f64, h: f64) -> f64 {
+    std::f64::consts::SQRT_2 * super::ball::depth(0.0, gravity, h) / h
+}
+
 /// Gap or depth \[m\] of a body at rest: the fall of a step, for an engine that acts on a contact one step after it closes.
 /// Derived.
 pub fn gap(gravity: f64, h: f64) -> f64 {

@@ -21,6 +21,22 @@ pub fn travel(radius: f64, angle: f64, landing_speed: f64, h: f64) -> f64 {
     0.5 * turn * radius * angle + radius * (1.5 * turn).powi(2)
 }
 
+/// How far \[m\] an edge may seem to travel where a step moves the centre by (½ + σ) v⁺ + (½ − σ) v⁻ and turns the block with another σ,
+/// both within ±½: the steps' differences h (σ − σ') (v⁺ − v⁻) add up to the change of the speed along the floor \[m/s\] from start to end.
+/// Half of that is the greatest of schemes which use the mean of both velocities for one of them.
+/// Derived.
+pub fn unlike_means(mut speeds: impl Iterator<Item = f64>, h: f64) -> f64 {
+    let start = speeds.next().unwrap_or(0.0);
+    0.5 * h * (speeds.last().unwrap_or(start) - start).abs()
+}
+
+/// Part of the speed of a landing that a push out of its depth returns at most: the declared part r of 3/2 h v over h, see
+/// [`super::ball::depth`].
+/// Derived.
+pub fn returned(reduction: f64) -> f64 {
+    1.5 * reduction
+}
+
 /// Error of the time of a landing \[s\]: one step until the edge carries, half a step by which explicit speeds lag, one step in which the
 /// edge falls back onto its circle, and one sample.
 /// Derived.

@@ -39,6 +39,22 @@ pub fn gravity(upward: f64, mass: f64, gravity: f64, h: f64) -> f64 {
     (0.5 * h * gravity * upward - 0.5 * upward * upward / mass).max(0.0)
 }
 
+/// Kinetic energy \[J\] that a body gains when it is turned with its angular momentum kept, out of a depth δ \[m\] at a lever ℓ: by the
+/// angle φ = δ ‖J⁻¹(ℓ × n)‖/(1/m + (ℓ × n)·J⁻¹(ℓ × n)) ≤ ½ δ √(m/J_min), and φ ‖ω × Jω‖ with ‖ω × Jω‖ ≤ ½ s ω².
+/// Derived.
+pub fn turned_by_correction(mass: f64, spread: f64, least: f64, spin: f64, depth: f64) -> f64 {
+    0.5 * depth * (mass / least).sqrt() * 0.5 * spread * spin * spin
+}
+
+/// Energy \[J\] that a declared damping c \[1/s\] may leave in a step which damps before it adds gravity; `changed` is ‖Δv‖ \[m/s\]. The
+/// damping does −m c h v·½(v_free + v) with v_free + v ≈ 2v − g h, which is positive only for rising slower than ½ g h, and at most
+/// m c h (g h)²/16. And the impulse of the contacts, where c m Δx stands for c m h v, is off by m c h ‖Δv‖, which counts with ½ g h.
+/// Derived.
+pub fn damping(mass: f64, gravity: f64, damping: f64, changed: f64, h: f64) -> f64 {
+    let step = gravity * h;
+    mass * damping * h * (step * step / 16.0 + 0.5 * step * changed)
+}
+
 /// Energy \[J\] that a step of rotation may add; `spread` s and `least` J_min \[kg·m²\], `spin` ω and `turned` ‖Δω‖ \[rad/s\].
 /// Derived.
 pub fn rotation(spread: f64, least: f64, spin: f64, turned: f64, h: f64) -> f64 {
@@ -50,6 +66,20 @@ pub fn rotation(spread: f64, least: f64, spin: f64, turned: f64, h: f64) -> f64 
 /// Derived.
 pub fn turned_below(spin: f64, radius: f64, h: f64) -> f64 {
     0.5 * spin * spin * radius * h
+}
+
+/// Energy \[J\] that contacts give which were opening and are pressed, and are kept from closing again: e/(1 + e) Σ r_k u_k⁻, with a bound
+/// on the sum \[J\] over these contacts.
+/// Derived.
+pub fn opening(restitution: f64, power: f64) -> f64 {
+    restitution / (1.0 + restitution) * power
+}
+
+/// Gap \[m\] up to which a contact that opens may act: the free step takes it back by up to h · g h, and by as much as its corner turns
+/// below the surface.
+/// Derived.
+pub fn near(spin: f64, radius: f64, gravity: f64, h: f64) -> f64 {
+    gravity * h * h + h * turned_below(spin, radius, h)
 }
 
 /// Energy \[J\] that a solver may leave if it leaves a part s = [`SOLVED`] of the impulses: s √(1 + μ²) R u, for μ ≤ 1. R \[N·s\] is the
@@ -105,5 +135,17 @@ mod tests {
     fn a_cube_gains_nothing_by_rotation() {
         assert_eq!(rotation(0.0, 1.0, 10.0, 5.0, 0.1), 0.0);
         assert!(rotation(0.5, 1.0, 10.0, 5.0, 0.1) > 0.0);
+    }
+    #[test]
+    fn a_damped_step_of_flight_gains_no_more_than_its_bound_and_comes_near_it() {
+        // m = 1, g = 10, h = 1/10, c = 1/2, θ = ½: v⁺ = (1 − c h) v − g h, Δz = ½ h (v + v⁺).
+        let (gravity, h, rate) = (10.0, 0.1, 0.5);
+        let gain = |v: f64| {
+            let after = (1.0 - rate * h) * v - gravity * h;
+            0.5 * (after * after - v * v) + gravity * 0.5 * h * (v + after)
+        };
+        let bound = damping(1.0, gravity, rate, 0.0, h);
+        let most = (-200..=200).map(|k| gain(f64::from(k) * 0.01)).fold(f64::NEG_INFINITY, f64::max);
+        assert!(most <= bound * (1.0 + 2.0 * rate * h) && most >= 0.9 * bound, "{most} {bound}");
     }
 }

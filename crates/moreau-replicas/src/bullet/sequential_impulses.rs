@@ -70,6 +70,10 @@ impl ContactSolver for SequentialImpulses {
         true
     }
 
+    fn takes_start(&self) -> bool {
+        self.warm_start > 0.0
+    }
+
     fn takes(&self, law: Law, rows: usize, _symmetric: bool) -> bool {
         is_boxed(law, rows).is_ok()
     }

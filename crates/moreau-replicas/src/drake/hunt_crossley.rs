@@ -64,15 +64,18 @@ impl Touch {
 }
 
 /// The touching contacts of an assembled step.
-pub(super) fn touches(material: Material, at: &StepContext, assembled: &StepProblem) -> Vec<Touch> {
-    let mass = assembled.effective_mass.matrix();
-    assembled.active.iter().map(|&k| Touch::new(material, &at.contacts()[k], mass, at.state(), at.h())).collect()
+///
+/// # Errors
+/// [`moreau_exact::Error::Invalid`] if nothing moves one of the bodies: these laws compute with M itself.
+pub(super) fn touches(material: Material, at: &StepContext, assembled: &StepProblem) -> Result<Vec<Touch>> {
+    let mass = assembled.effective_mass.finite_matrix()?;
+    Ok(assembled.active.iter().map(|&k| Touch::new(material, &at.contacts()[k], mass, at.state(), at.h())).collect())
 }
 
 /// The step of a convex law of the touching contacts.
 pub(super) fn step<P: Potential>(name: &str, material: Material, start: &Start, law: fn(Vec<Touch>) -> P) -> Result<Step> {
     step_touching(start, &|at, assembled| {
-        answer(name, assembled, &law(touches(material, at, assembled)), at.mechanism().rows_per_contact())
+        answer(name, assembled, &law(touches(material, at, assembled)?), at.mechanism().rows_per_contact())
     })
 }
 

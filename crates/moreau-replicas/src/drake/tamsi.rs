@@ -145,7 +145,7 @@ impl DrakeTamsi {
         if assembled.active.is_empty() {
             return Ok(None);
         }
-        let touches = touches(self.material, at, assembled);
+        let touches = touches(self.material, at, assembled)?;
         let scale = assembled.effective_mass.matrix().diagonal().map(|m| 1.0 / m.sqrt());
         let equation = Equation { assembled, touches: &touches, rows: at.mechanism().rows_per_contact(), scale };
         let (velocity, Residual { impulse, size, terms, .. }, iterations) = equation.solve(&at.state().velocity)?;

@@ -145,6 +145,10 @@ impl ContactSolver for GaussSweeps {
         true
     }
 
+    fn takes_start(&self) -> bool {
+        false
+    }
+
     fn takes(&self, law: Law, _rows: usize, symmetric: bool) -> bool {
         symmetric && law.is_convex()
     }

@@ -53,8 +53,9 @@ pub struct Body {
     pub sphere: Option<Sphere>,
     #[serde(rename = "box", default)]
     pub cuboid: Option<Cuboid>,
-    /// \[kg\].
-    pub mass: f64,
+    /// \[kg\]; none if the body is not free.
+    #[serde(default)]
+    pub mass: Option<f64>,
     /// Principal moments \[kg·m²\].
     #[serde(default)]
     pub inertia: Option<[f64; 3]>,
@@ -66,6 +67,23 @@ pub struct Body {
     /// \[m/s\].
     #[serde(default)]
     pub linear_velocity: [f64; 3],
+    /// \[rad/s\], world frame.
+    #[serde(default)]
+    pub angular_velocity: [f64; 3],
+    /// Whether nothing moves it.
+    #[serde(rename = "static", default)]
+    pub is_static: bool,
+    /// The velocities it keeps.
+    #[serde(default)]
+    pub prescribed: Option<Prescribed>,
+    #[serde(flatten)]
+    unknown: Unknown,
+}
+
+#[derive(Debug, Deserialize)]
+pub struct Prescribed {
+    /// \[m/s\].
+    pub velocity: [f64; 3],
     /// \[rad/s\], world frame.
     #[serde(default)]
     pub angular_velocity: [f64; 3],
@@ -132,6 +150,7 @@ impl Scene {
             .chain(self.ground.iter().map(|ground| ("scene.ground", &ground.unknown)))
             .chain(self.material.pairs.iter().map(|pair| ("scene.material.pairs", &pair.unknown)))
             .chain(self.bodies.iter().map(|body| ("scene.bodies", &body.unknown)))
+            .chain(self.bodies.iter().flat_map(|body| &body.prescribed).map(|moved| ("scene.bodies.prescribed", &moved.unknown)))
             .chain(self.bodies.iter().flat_map(|body| &body.sphere).map(|sphere| ("scene.bodies.sphere", &sphere.unknown)))
             .chain(self.bodies.iter().flat_map(|body| &body.cuboid).map(|cuboid| ("scene.bodies.box", &cuboid.unknown)));
         for (place, unknown) in parts {
@@ -175,18 +194,30 @@ impl Body {
             (None, None) => return Err(Refusal::unsupported(format!("{place} is neither a sphere nor a box"))),
             (Some(_), Some(_)) => return Err(Refusal::error(format!("{place} has two shapes"))),
         }
-        positive(&format!("{place}.mass"), &[self.mass])?;
-        positive(&format!("{place}.inertia"), &self.principal_moments())?;
+        match (self.is_free(), self.mass) {
+            (true, Some(mass)) => {
+                positive(&format!("{place}.mass"), &[mass])?;
+                positive(&format!("{place}.inertia"), &self.principal_moments(mass))?;
+            }
+            (false, None) => {}
+            (true, None) => return Err(Refusal::error(format!("{place}.mass is missing"))),
+            (false, Some(_)) => return Err(Refusal::error(format!("{place}.mass is that of a body which nothing moves"))),
+        }
         unit(&format!("{place}.orientation"), &self.orientation)
     }
 
+    /// Whether forces and impulses move it.
+    pub fn is_free(&self) -> bool {
+        !self.is_static && self.prescribed.is_none()
+    }
+
     /// The given moments, else those of the solid: sphere ⅖ m r², box m/3 (b² + c², a² + c², a² + b²).
-    pub fn principal_moments(&self) -> [f64; 3] {
+    pub fn principal_moments(&self, mass: f64) -> [f64; 3] {
         match (&self.inertia, &self.sphere, &self.cuboid) {
             (Some(inertia), _, _) => *inertia,
-            (None, Some(sphere), _) => [0.4 * self.mass * sphere.radius * sphere.radius; 3],
+            (None, Some(sphere), _) => [0.4 * mass * sphere.radius * sphere.radius; 3],
             (None, None, Some(Cuboid { half_extents: [a, b, c], .. })) => {
-                [b * b + c * c, a * a + c * c, a * a + b * b].map(|sum| self.mass / 3.0 * sum)
+                [b * b + c * c, a * a + c * c, a * a + b * b].map(|sum| mass / 3.0 * sum)
             }
             (None, None, None) => [0.0; 3],
         }
@@ -254,10 +285,10 @@ pub mod tests {
     fn defaults_are_filled_in() {
         let scene = Scene::read(&ball()).expect("valid");
         assert_eq!(scene.bodies[0].orientation, [1.0, 0.0, 0.0, 0.0]);
-        assert_eq!(scene.bodies[0].principal_moments(), [0.8; 3]);
+        assert_eq!(scene.bodies[0].principal_moments(2.0), [0.8; 3]);
         let mut body = Scene::read(&ball()).expect("valid").bodies.remove(0);
-        (body.mass, body.sphere, body.cuboid) = (3.0, None, Some(Cuboid { half_extents: [1.0, 2.0, 3.0], unknown: Unknown::new() }));
-        assert_eq!(body.principal_moments(), [13.0, 10.0, 5.0]);
+        (body.sphere, body.cuboid) = (None, Some(Cuboid { half_extents: [1.0, 2.0, 3.0], unknown: Unknown::new() }));
+        assert_eq!(body.principal_moments(3.0), [13.0, 10.0, 5.0]);
     }
 
     #[test]
@@ -278,6 +309,9 @@ pub mod tests {
         for (pointer, value) in [
             ("/bodies/0/mass", json!(0)),
             ("/bodies/0/mass", json!("heavy")),
+            ("/bodies/0/mass", json!(null)),
+            ("/bodies/0/static", json!(true)),
+            ("/bodies/0/prescribed", json!({"velocity": [1, 0, 0]})),
             ("/bodies/0/inertia", json!([1, 1, 0])),
             ("/bodies/0/sphere/radius", json!(-1)),
             ("/bodies/0/orientation", json!([1, 1, 0, 0])),

@@ -40,6 +40,20 @@ pub(super) fn dependent_rows(problem: &ContactProblem, contacts: &[Contact], sta
     Ok(dependent)
 }
 
+/// Of these rows of W, independent ones on which the columns of the others depend exactly; none where that is not decided.
+pub(in crate::certificate) fn independent_rows(problem: &ContactProblem, rows: &[usize]) -> Option<Vec<usize>> {
+    let column = |row: usize| (0..problem.rows()).map(|other| [problem.entry(other, row), 0.0]).collect();
+    let columns: Vec<Vec<Entry>> = match problem.dynamics() {
+        Some(dynamics) => rows.iter().map(|row| dynamics.jacobian.row(*row).iter().map(|entry| [*entry, 0.0]).collect()).collect(),
+        None => rows.iter().map(|row| column(*row)).collect(),
+    };
+    let (order, independent) = (pivots(&columns), rank(&columns)?);
+    let mut kept = order[..independent].to_vec();
+    kept.sort_unstable();
+    surely_independent(&kept.iter().map(|place| &columns[*place]).collect::<Vec<_>>())
+        .then(|| kept.into_iter().map(|place| rows[place]).collect())
+}
+
 fn free(problem: &ContactProblem, row: usize) -> Entry {
     [problem.free_velocity()[row], problem.shift()[row]]
 }

@@ -12,7 +12,7 @@ use crate::tolerance::proof::{enlarged, product};
 use nalgebra::DMatrix;
 
 /// |H M̂⁻¹ Hᵀ − W| entry by entry, at most; none without M̂ and H, infinite where M̂ is too badly conditioned.
-pub(super) fn uncertainty(problem: &ContactProblem) -> Option<DMatrix<f64>> {
+pub(in crate::certificate) fn uncertainty(problem: &ContactProblem) -> Option<DMatrix<f64>> {
     let Dynamics { mass, jacobian } = problem.dynamics()?;
     let mut exact = DMatrix::from_element(problem.rows(), problem.rows(), Interval::ZERO);
     for group in groups(mass) {

@@ -3,6 +3,7 @@
 use super::planted::with;
 use super::*;
 use crate::certificate::backward::backward;
+use crate::tolerance::sharpness::{EXCESS, FAR, FEW, MANY, NEAR, REDUNDANT, SOME, roundings};
 use moreau_exact::scalar::{Rational, exact};
 use nalgebra::{DVector, dvector};
 
@@ -54,7 +55,7 @@ fn known(law: Law, contacts: usize, seed: u64) -> (ContactProblem, Solution, Vec
         states.push(if law == Law::Frictionless && state != ContactState::Open { ContactState::Pressing } else { state });
     }
     let free = &y - &w * &r; // exact: all of it is whole or half, and small
-    let problem = ContactProblem::new(w, free).law(law).friction(vec![MU; contacts]).build().unwrap();
+    let problem = ContactProblem::new(w, free).law(law).friction(vec![MU; contacts]).build().expect("sizes fit");
     let velocity = y.clone();
     (problem, Solution::new("by construction", r, velocity, 0), states)
 }
@@ -78,13 +79,16 @@ fn a_solution_that_is_known_in_fractions_is_within_every_radius() {
             let contacts = 1 + seed as usize % 7;
             let (problem, solution, states) = known(law, contacts, seed);
             assert!(is_exact(&problem, &solution), "u = W r + q in fractions");
-            assert!(backward(&problem, &solution.impulse).unwrap().velocity.iter().all(|delta| *delta <= 1e-12), "it is a solution");
-            for size in [0.0, 1e-12, 1e-7] {
+            assert!(
+                backward(&problem, &solution.impulse).expect("finite numbers").velocity.iter().all(|delta| *delta <= roundings(MANY)),
+                "it is a solution"
+            );
+            for size in NEAR {
                 let mut draw = Draw(seed + 1000);
                 let mut answer = solution.clone();
                 answer.impulse.iter_mut().filter(|r| **r != 0.0).for_each(|r| *r += size * draw.whole(100) as f64 / 100.0);
                 answer.velocity = problem.velocity(&answer.impulse);
-                let Forward::Proved(radius) = forward(&problem, &answer).unwrap() else { continue };
+                let Forward::Proved(radius) = forward(&problem, &answer).expect("finite numbers") else { continue };
                 proved += 1;
                 assert_eq!(radius.states, states, "{law:?} {seed}");
                 let [velocity, impulse] = [&answer.velocity - &solution.velocity, &answer.impulse - &solution.impulse];
@@ -94,7 +98,7 @@ fn a_solution_that_is_known_in_fractions_is_within_every_radius() {
                     assert!(radius.velocity[k] >= spacing * contact_norm(&velocity, k), "{law:?} {seed} {size}: {radius:?}");
                     assert!(radius.impulse[k] >= spacing * contact_norm(&impulse, k), "{law:?} {seed} {size}: {radius:?}");
                     let scale = solution.impulse.amax() * problem.dense().amax();
-                    assert!(radius.velocity[k] <= contact_norm(&velocity, k) + 1e-9 * scale, "{law:?} {seed} {size}: {radius:?}");
+                    assert!(radius.velocity[k] <= contact_norm(&velocity, k) + EXCESS * scale, "{law:?} {seed} {size}: {radius:?}");
                 }
             }
         }
@@ -107,17 +111,20 @@ fn an_answer_that_was_moved_gets_no_proof_or_a_radius_that_says_so() {
     for law in [Law::Coulomb, Law::Associated] {
         for seed in 0..20 {
             let (problem, solution, _) = known(law, 3, seed);
-            let Forward::Proved(exact) = forward(&problem, &solution).unwrap() else { continue };
-            for distance in [1e-9, 1e-4, 0.25, 16.0] {
+            let Forward::Proved(exact) = forward(&problem, &solution).expect("finite numbers") else { continue };
+            for distance in FAR {
                 for row in 0..problem.rows() {
                     let mut answer = solution.clone();
                     answer.velocity[row] += distance;
-                    if let Forward::Proved(radius) = forward(&problem, &answer).unwrap() {
-                        assert!(radius.velocity[row / 3] >= distance - exact.velocity[row / 3] - 1e-14, "{law:?} {seed} {distance} {row}");
+                    if let Forward::Proved(radius) = forward(&problem, &answer).expect("finite numbers") {
+                        assert!(
+                            radius.velocity[row / 3] >= distance - exact.velocity[row / 3] - roundings(FEW),
+                            "{law:?} {seed} {distance} {row}"
+                        );
                     }
                     answer.impulse[row] += distance;
                     answer.velocity = problem.velocity(&answer.impulse);
-                    if let Forward::Proved(radius) = forward(&problem, &answer).unwrap() {
+                    if let Forward::Proved(radius) = forward(&problem, &answer).expect("finite numbers") {
                         // every one of these problems has one solution: W ⪰ I, and the pattern is strict
                         let moved = radius.impulse[row / 3].max(radius.velocity.iter().copied().fold(0.0, f64::max));
                         assert!(moved >= distance * 0.999, "{law:?} {seed} {distance} {row}: {radius:?}");
@@ -132,16 +139,16 @@ fn an_answer_that_was_moved_gets_no_proof_or_a_radius_that_says_so() {
 fn problems_without_solution_are_never_proved() {
     // Painlevé: W_nn < μ W_nt, the block slides and every normal impulse pushes it deeper
     let painleve = ContactProblem::new(DMatrix::from_row_slice(2, 2, &[1.0, 2.0, 2.0, 5.0]), dvector![-1.0, 1.0]);
-    let painleve = painleve.rows_per_contact(2).friction(vec![1.0]).build().unwrap();
+    let painleve = painleve.rows_per_contact(2).friction(vec![1.0]).build().expect("sizes fit");
     // between two walls that approach each other
     let jammed = ContactProblem::new(DMatrix::from_row_slice(2, 2, &[1.0, -1.0, -1.0, 1.0]), dvector![-1.0, -1.0]);
-    let jammed = jammed.rows_per_contact(1).law(Law::Frictionless).build().unwrap();
+    let jammed = jammed.rows_per_contact(1).law(Law::Frictionless).build().expect("sizes fit");
     let mut draw = Draw(5);
     for _ in 0..400 {
         let impulse = dvector![draw.whole(400) as f64 / 100.0, draw.whole(400) as f64 / 100.0];
         for (problem, name) in [(&jammed, "jammed"), (&painleve, "Painlevé")] {
             let answer = Solution::new("guessed", impulse.clone(), problem.velocity(&impulse), 0);
-            if let Forward::Proved(radius) = forward(problem, &answer).unwrap() {
+            if let Forward::Proved(radius) = forward(problem, &answer).expect("finite numbers") {
                 // Painlevé's block has one: it sticks, far away
                 assert!(name != "jammed", "{impulse:?} {radius:?}");
                 assert!([ContactState::Sticking, ContactState::Undecided].contains(&radius.states[0]));
@@ -164,18 +171,18 @@ fn a_grazing_contact_is_proved_by_the_law_itself() {
         ],
     );
     let r = dvector![1.0, 0.125, 0.0, 0.0, 0.0, 0.0];
-    let problem = ContactProblem::new(w.clone(), -&w * &r).friction(vec![0.5, 0.5]).build().unwrap();
+    let problem = ContactProblem::new(w.clone(), -&w * &r).friction(vec![0.5, 0.5]).build().expect("sizes fit");
     let answer = Solution::new("by construction", r, DVector::zeros(6), 0);
-    let radius = forward(&problem, &answer).unwrap().proved().expect("weakly coupled");
+    let radius = forward(&problem, &answer).expect("finite numbers").proved().expect("weakly coupled");
     assert!(radius.states.contains(&ContactState::Undecided) || radius.states[1] == ContactState::Open, "{radius:?}");
-    assert!(radius.velocity.iter().all(|bound| *bound <= 1e-13), "{radius:?}");
+    assert!(radius.velocity.iter().all(|bound| *bound <= roundings(SOME)), "{radius:?}");
 }
 
 #[test]
 fn a_polyhedral_law_and_numbers_that_are_none_are_refused_by_name() {
     let (problem, solution, _) = known(Law::Coulomb, 1, 1);
-    let pyramid = problem.clone().into_builder().law(Law::PolyhedralCoulomb { directions: 4 }).build().unwrap();
-    let Forward::NotProved(reason) = forward(&pyramid, &solution).unwrap() else { panic!("not a cone law") };
+    let pyramid = problem.clone().into_builder().law(Law::PolyhedralCoulomb { directions: 4 }).build().expect("sizes fit");
+    let Forward::NotProved(reason) = forward(&pyramid, &solution).expect("finite numbers") else { panic!("not a cone law") };
     assert!(reason.text.contains("polyhedral-coulomb"));
     let wrong = Solution::new("", dvector![1.0], dvector![0.0], 0);
     assert!(forward(&problem, &wrong).is_err());
@@ -191,9 +198,9 @@ fn the_planar_law_is_linear_and_its_solution_is_enclosed_to_rounding() {
         [(dvector![3.0, -1.5], dvector![0.0, 2.0]), (dvector![3.0, 1.5], dvector![0.0, -2.0]), (dvector![3.0, 0.1], dvector![0.0, 0.0])]
     {
         let free = &y - &w * &r;
-        let problem = ContactProblem::new(w.clone(), free).rows_per_contact(2).friction(vec![0.5]).build().unwrap();
-        let radius = forward(&problem, &Solution::new("", r, y, 0)).unwrap().proved().unwrap();
-        assert!(radius.velocity[0] <= 1e-14 && radius.impulse[0] <= 1e-14, "{radius:?}");
+        let problem = ContactProblem::new(w.clone(), free).rows_per_contact(2).friction(vec![0.5]).build().expect("sizes fit");
+        let radius = forward(&problem, &Solution::new("", r, y, 0)).expect("finite numbers").proved().expect("a strict pattern");
+        assert!(radius.velocity[0] <= roundings(FEW) && radius.impulse[0] <= roundings(FEW), "{radius:?}");
     }
 }
 
@@ -212,7 +219,7 @@ fn table(friction: f64, free: [f64; 6], shift: f64) -> ContactProblem {
     moved[3] = shift;
     let mass = DMatrix::from_diagonal(&dvector![1.0, 1.0, 1.0, 0.5, 0.5, 1.0]);
     let free = DVector::from_row_slice(&free);
-    ContactProblem::from_dynamics(mass, jacobian, &free).friction(vec![friction; 4]).shift(moved).build().unwrap()
+    ContactProblem::from_dynamics(mass, jacobian, &free).friction(vec![friction; 4]).shift(moved).build().expect("sizes fit")
 }
 
 #[test]
@@ -226,19 +233,25 @@ fn the_feet_of_a_table_depend_on_each_other_and_their_velocities_are_proved_all_
         let impulse = impulses([0.3125 + spread, 0.3125 - spread, 0.1875 + spread, 0.1875 - spread], &|n| -0.5 * n);
         let velocity = sliding.velocity(&impulse);
         assert_eq!(velocity, DVector::from_iterator(12, [0.0, 1.5, 0.0].into_iter().cycle().take(12)), "it slows down and stays level");
-        let radius = forward(&sliding, &Solution::new("by construction", impulse, velocity, 0)).unwrap().proved().expect("it slides");
+        let radius = forward(&sliding, &Solution::new("by construction", impulse, velocity, 0))
+            .expect("finite numbers")
+            .proved()
+            .expect("it slides");
         assert_eq!((radius.dependent.len(), radius.states), (1, vec![ContactState::Sliding; 4]), "four normals, three motions");
-        assert!(radius.velocity.iter().all(|bound| *bound <= 1e-13), "{:?}", radius.velocity);
+        assert!(radius.velocity.iter().all(|bound| *bound <= roundings(SOME)), "{:?}", radius.velocity);
     }
     let impulse = impulses([0.28125, 0.28125, 0.21875, 0.21875], &|_| -0.0625);
     let velocity = sticking.velocity(&impulse);
     assert_eq!(velocity.amax(), 0.0);
-    let radius = forward(&sticking, &Solution::new("", impulse.clone(), velocity.clone(), 0)).unwrap().proved().expect("it sticks");
+    let radius =
+        forward(&sticking, &Solution::new("", impulse.clone(), velocity.clone(), 0)).expect("finite numbers").proved().expect("it sticks");
     assert_eq!((radius.dependent.len(), radius.states), (6, vec![ContactState::Sticking; 4]), "twelve rows, six motions");
     assert!(radius.velocity.iter().all(|bound| *bound == 0.0), "all velocities are zero: {:?}", radius.velocity);
     // a foot that stands a little higher has another free velocity: its row depends on the others, its velocity does not
     let uneven = table(0.5, [0.25, 0.0, -1.0, 0.0, 0.0, 0.0], 2.0_f64.powi(-40));
-    let Forward::NotProved(reason) = forward(&uneven, &Solution::new("", impulse, velocity, 0)).unwrap() else { panic!("inconsistent") };
+    let Forward::NotProved(reason) = forward(&uneven, &Solution::new("", impulse, velocity, 0)).expect("finite numbers") else {
+        panic!("inconsistent")
+    };
     assert!(reason.text.contains("free velocities"), "{reason:?}");
 }
 
@@ -250,11 +263,11 @@ fn contradicted() -> usize {
         for seed in 0..30 {
             let (problem, solution, _) = known(law, 1 + seed as usize % 5, seed);
             let mut draw = Draw(seed + 77);
-            for size in [0.0, 1e-7, 1e-2, 1.0, 8.0] {
+            for size in REDUNDANT {
                 let mut answer = solution.clone();
                 answer.impulse.iter_mut().for_each(|r| *r += size * draw.whole(100) as f64 / 100.0);
                 answer.velocity = problem.velocity(&answer.impulse);
-                let Forward::Proved(radius) = forward(&problem, &answer).unwrap() else { continue };
+                let Forward::Proved(radius) = forward(&problem, &answer).expect("finite numbers") else { continue };
                 let [velocity, impulse] = [&answer.velocity - &solution.velocity, &answer.impulse - &solution.impulse];
                 let spacing = 1.0 - 8.0 * f64::EPSILON;
                 let rounding = 4.0 * f64::EPSILON * (problem.dense().amax() * answer.impulse.amax() + answer.velocity.amax());
@@ -270,7 +283,7 @@ fn contradicted() -> usize {
     let normals = [0.28125, 0.28125, 0.21875, 0.21875];
     let impulse = DVector::from_iterator(12, normals.into_iter().flat_map(|n| [n, -0.0625, 0.0]));
     let velocity = uneven.velocity(&impulse);
-    found + usize::from(matches!(forward(&uneven, &Solution::new("", impulse, velocity, 0)).unwrap(), Forward::Proved(_)))
+    found + usize::from(matches!(forward(&uneven, &Solution::new("", impulse, velocity, 0)).expect("finite numbers"), Forward::Proved(_)))
 }
 
 #[test]

@@ -280,6 +280,7 @@ impl ContactProblemBuilder {
             bodies: self.bodies,
             keys: self.keys,
             groups: Once::default(),
+            islands: Once::default(),
             velocity_factor: Once::default(),
         };
         problem.validate()?;

@@ -16,6 +16,14 @@ pub(super) enum Known {
 }
 
 impl Known {
+    /// Whether M̂ is a matrix of numbers: no velocity is prescribed.
+    pub fn is_finite(&self) -> bool {
+        match self {
+            Known::Dense(_) => true,
+            Known::Sparse { inertia, .. } => inertia.mass().is_finite(),
+        }
+    }
+
     /// M̂ and H with all their zeros.
     pub fn dense(&self) -> &Dynamics {
         match self {
@@ -29,7 +37,12 @@ impl Known {
     /// The columns of H that the rows of a contact touch, growing.
     pub fn touched(&self, contact: usize, rows: usize) -> Vec<usize> {
         match self {
-            Known::Sparse { jacobian, .. } => jacobian.contacts()[contact].touched().collect(),
+            Known::Sparse { jacobian, .. } => {
+                let contact = &jacobian.contacts()[contact];
+                let mut columns = Vec::with_capacity(contact.parts().map(|part| part.width).sum());
+                columns.extend(contact.touched());
+                columns
+            }
             Known::Dense(Dynamics { jacobian, .. }) => {
                 let rows = jacobian.rows(contact * rows, rows);
                 (0..jacobian.ncols()).filter(|column| rows.column(*column).iter().any(|entry| *entry != 0.0)).collect()

@@ -1,7 +1,7 @@
 //! The one-step contact problem: u = W r + u_free, y = u + shift + R r, (r, y) in the law.
 
 use super::{ContactKey, Law};
-use crate::operator::{ContactOperator, Operator, VelocityFactor};
+use crate::operator::{ContactOperator, Islands, Operator, VelocityFactor};
 use nalgebra::{DMatrix, DVector};
 
 mod builder;
@@ -10,6 +10,7 @@ mod known;
 mod once;
 mod part;
 mod polyhedral;
+mod softened;
 #[cfg(test)]
 mod tests;
 mod validation;
@@ -63,6 +64,7 @@ pub struct ContactProblem {
     bodies: Option<Vec<[Option<usize>; 2]>>,
     keys: Option<Vec<ContactKey>>,
     groups: Once<Vec<usize>>,
+    islands: Once<Islands>,
     velocity_factor: Once<Option<VelocityFactor>>,
 }
 
@@ -122,12 +124,17 @@ impl ContactProblem {
 
     /// M̂ and H, where known, as matrices with all their zeros; what is kept by bodies is written out, once.
     pub fn dynamics(&self) -> Option<&Dynamics> {
-        self.dynamics.as_ref().map(Known::dense)
+        self.dynamics.as_ref().filter(|known| known.is_finite()).map(Known::dense)
     }
 
     /// What `find` says of the contacts, which the certificate asks for every answer: it is found once.
     pub(crate) fn groups(&self, find: impl FnOnce(&Self) -> Vec<usize>) -> &[usize] {
         self.groups.get_or(|| find(self))
+    }
+
+    /// The contacts that W joins, found once.
+    pub(crate) fn islands(&self) -> &Islands {
+        self.islands.get_or(|| Islands::of(&self.delassus, self.contacts()))
     }
 
     /// W = Y Yᵀ by bodies, found once: from the mechanism or the bodies where they are known, else from the blocks of W; `None` where they
@@ -142,7 +149,7 @@ impl ContactProblem {
     }
 
     /// Whether H is known, as a matrix or by bodies.
-    pub(crate) fn knows_rows(&self) -> bool {
+    pub fn knows_rows(&self) -> bool {
         self.dynamics.is_some() || self.delassus.matrix_free().is_some()
     }
 
@@ -231,11 +238,20 @@ impl ContactProblem {
 
     /// y = u + shift + R r \[m/s\]; an edge compliance is not part of it, because it acts on edge impulses.
     pub fn law_velocity(&self, impulse: &DVector<f64>) -> DVector<f64> {
-        let mut y = self.velocity(impulse) + &self.shift;
-        if let Some(Compliance { coordinates: Coordinates::Contact, diagonal }) = &self.compliance {
-            y += diagonal.component_mul(impulse);
-        }
+        let mut y = DVector::zeros(impulse.len());
+        self.write_law_velocity(impulse.as_slice(), y.as_mut_slice());
         y
+    }
+
+    /// Overwrites `law_velocity` with [`ContactProblem::law_velocity`].
+    pub(crate) fn write_law_velocity(&self, impulse: &[f64], law_velocity: &mut [f64]) {
+        self.delassus.write_product(impulse, law_velocity);
+        for (row, y) in law_velocity.iter_mut().enumerate() {
+            *y = *y + self.free_velocity[row] + self.shift[row];
+        }
+        if let Some(Compliance { coordinates: Coordinates::Contact, diagonal }) = &self.compliance {
+            law_velocity.iter_mut().zip(diagonal.iter().zip(impulse)).for_each(|(y, (softness, r))| *y += softness * r);
+        }
     }
 
     /// max |W − Wᵀ| / max |W|, zero for a symmetric Delassus operator.

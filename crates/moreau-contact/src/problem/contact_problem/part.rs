@@ -3,13 +3,13 @@
 use super::known::Known;
 use super::once::Once;
 use super::{Compliance, ContactProblem};
-use crate::operator::{BlockSparse, Islands};
-use nalgebra::DVector;
+use crate::operator::{Islands, Operator};
+use nalgebra::{DMatrix, DVector};
 use std::sync::OnceLock;
 
 impl ContactProblem {
-    /// The problem of one island of W = `blocks`, this problem's.
-    pub(crate) fn island(&self, blocks: &BlockSparse, islands: &Islands, members: &[usize]) -> ContactProblem {
+    /// The problem of one island, or of one contact that meets no other.
+    pub(crate) fn island(&self, islands: &Islands, members: &[usize]) -> ContactProblem {
         let rows = self.rows_per_contact;
         let part = |whole: &DVector<f64>| island_rows(whole, members, rows);
         let known = match &self.dynamics {
@@ -19,7 +19,7 @@ impl ContactProblem {
             _ => None,
         };
         // contacts of one group are joined by W
-        let groups = self.groups.get().map(|groups| members.iter().map(|k| islands.place[groups[*k]]).collect());
+        let groups = self.groups.get().map(|groups| members.iter().map(|k| islands.place_among(members, groups[*k])).collect());
         ContactProblem {
             name: self.name.clone(),
             rows_per_contact: rows,
@@ -27,7 +27,7 @@ impl ContactProblem {
             friction: members.iter().map(|k| self.friction[*k]).collect(),
             free_velocity: part(&self.free_velocity),
             shift: part(&self.shift),
-            delassus: blocks.of(members, &islands.place).into(),
+            delassus: self.delassus_of(islands, members),
             compliance: self.compliance.as_ref().map(|Compliance { coordinates, diagonal }| Compliance {
                 coordinates: *coordinates,
                 diagonal: island_rows(diagonal, members, diagonal.len() / self.contacts()),
@@ -36,8 +36,19 @@ impl ContactProblem {
             bodies: self.bodies.as_ref().map(|bodies| members.iter().map(|k| bodies[*k]).collect()),
             keys: None,
             groups: groups.map_or_else(Once::default, Once::known),
+            islands: Once::default(),
             velocity_factor: Once::default(),
         }
+    }
+
+    /// W between these contacts, stored as that of the whole.
+    fn delassus_of(&self, islands: &Islands, members: &[usize]) -> Operator {
+        if let Some(blocks) = self.delassus.blocks() {
+            return blocks.of(members, |k| islands.place_among(members, k)).into();
+        }
+        let d = self.rows_per_contact;
+        let whole = |row: usize| members[row / d] * d + row % d;
+        DMatrix::from_fn(members.len() * d, members.len() * d, |i, j| self.entry(whole(i), whole(j))).into()
     }
 }
 

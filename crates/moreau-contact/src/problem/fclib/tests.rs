@@ -174,16 +174,17 @@ fn bilateral_rows_of_local_and_global_problems_are_joints() {
     for is_global in [false, true] {
         // with r_t = 0 the wall and the rod stop it: r_n (1, 0) + λ (3, 4)/5 = (6, −2)
         with_file(&bob(is_global, Some([&[7.5, 0.0], &[-2.5], &[0.0, 0.0]])), |file| {
-            let Posed::Jointed(problem) = Posed::read(file).unwrap() else { panic!("it has joints") };
+            let posed = Posed::read(file).unwrap();
+            let Posed::Jointed(problem) = &posed else { panic!("it has joints") };
             assert_eq!(problem.kinds(), [ConstraintKind::Contact, ConstraintKind::Bilateral { rows: 1 }]);
             assert!((problem.delassus() - dmatrix![0.5, 0.0, 0.3; 0.0, 0.5, 0.4; 0.3, 0.4, 0.5]).amax() < 1e-15);
             assert!((problem.free_velocity() - dvector![-3.0, 1.0, -1.0]).amax() < 1e-15);
-            let answer = Solution::read_named(file, problem.name()).unwrap();
+            let answer = Solution::read_posed(file, &posed).unwrap();
             assert_eq!((answer.impulse, answer.velocity), (dvector![7.5, 0.0, -2.5], dvector![0.0, 0.0, 0.0]));
             assert!(ContactProblem::read(file).expect_err("contacts alone").to_string().contains("kinds"));
         });
     }
     with_file(&bob(true, None), |file| {
-        assert!(Solution::read_named(file, "").expect_err("no answer").to_string().contains("solution/r"));
+        assert!(Solution::read_posed(file, &Posed::read(file).unwrap()).expect_err("no answer").to_string().contains("solution/r"));
     });
 }

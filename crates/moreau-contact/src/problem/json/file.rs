@@ -14,6 +14,9 @@ use serde::{Deserialize, Serialize};
 
 /// Schema name of a contact problem.
 pub const PROBLEM_SCHEMA: &str = "contact-problem/1";
+/// So many letters of a wrong entry are shown.
+const SHOWN: usize = 60;
+
 /// One step's contact problem: u = W r + u_free, y = u + shift + R r, and (r, y) in the law, contact by contact.
 #[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -60,7 +63,8 @@ pub struct ProblemFile {
     pub(super) keys: Option<Vec<KeyFile>>,
     /// What each constraint is, where some are no contacts; the lists above then go by constraint, and rows stand in their order.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(super) kinds: Option<Vec<KindFile>>,
+    #[schemars(with = "Option<Vec<KindFile>>")]
+    pub(super) kinds: Option<Vec<serde_json::Value>>,
     /// How the problem was made; opaque here.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) provenance: Option<serde_json::Value>,
@@ -120,6 +124,40 @@ impl From<ConstraintKind> for KindFile {
             ConstraintKind::Bilateral { rows } => KindFile::Bilateral(rows),
         }
     }
+}
+
+impl ProblemFile {
+    /// Where W and u_free have as many rows as each other and `friction` and `dimension` have not, one of these two is wrong.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] names it.
+    pub(super) fn check_counts(&self) -> Result<()> {
+        let (rows, contacts, dimension) = (self.free_velocity.len(), self.friction.len(), self.dimension);
+        let matrix = self.delassus.as_ref().or(self.jacobian.as_ref());
+        if rows == dimension * contacts || matrix.is_none_or(|matrix| matrix.shape[0] != rows) {
+            return Ok(());
+        }
+        if rows.is_multiple_of(dimension) {
+            let cure = format!("give {}, one per contact: `free_velocity` has {rows} rows, {dimension} per contact", rows / dimension);
+            return Err(Error::invalid("friction", format!("has size {contacts}"), cure));
+        }
+        let problem = format!("is {dimension}, with `free_velocity` of {rows} rows and `friction` of {contacts} contacts");
+        Err(Error::invalid("dimension", problem, "give as many rows as the dimension for each contact"))
+    }
+}
+
+/// What each constraint is.
+///
+/// # Errors
+/// [`Error::Invalid`] names the first that is no kind.
+pub(super) fn read_kinds(kinds: &[serde_json::Value]) -> Result<Vec<ConstraintKind>> {
+    let read = |(k, kind): (usize, &serde_json::Value)| {
+        let cure = "use \"contact\", \"limit\" or {\"bilateral\": N} with its number of rows N, 1 to 6, and nothing beside it";
+        let shown: String = kind.to_string().chars().take(SHOWN).collect();
+        let no_kind = |_| Error::invalid(format!("kinds[{k}]"), format!("is {shown}"), cure);
+        serde_json::from_value::<KindFile>(kind.clone()).map(ConstraintKind::from).map_err(no_kind)
+    };
+    kinds.iter().enumerate().map(read).collect()
 }
 
 /// The law of this name.
@@ -196,7 +234,10 @@ pub(super) fn read_operator(
             let dynamics = Dynamics { mass: mass.read("mass")?, jacobian: jacobian.read("jacobian")? };
             Ok((delassus(&dynamics.mass, &dynamics.jacobian)?.into(), Some(dynamics)))
         }
-        _ => Err(Error::invalid("delassus", "must stand alone, or `mass` and `jacobian` in its place", "give one of the two")),
+        (None, Some(_), None) => Err(Error::invalid("jacobian", "is missing beside `mass`", "give H, or W alone as `delassus`")),
+        (None, None, Some(_)) => Err(Error::invalid("mass", "is missing beside `jacobian`", "give M̂, or W alone as `delassus`")),
+        (None, None, None) => Err(Error::invalid("delassus", "is missing", "give W, or `mass` and `jacobian` in its place")),
+        (Some(_), ..) => Err(Error::invalid("delassus", "stands beside `mass` or `jacobian`", "give W alone, or these two in its place")),
     }
 }
 

@@ -10,6 +10,7 @@ use crate::problem::jointed::{require_room, starts};
 use crate::problem::{ConstraintKind, ContactKey, Coordinates, JointedProblem};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
+use serde_json::json;
 
 /// The problem of a file with these kinds.
 pub(super) fn read(file: ProblemFile, kinds: Vec<ConstraintKind>) -> Result<JointedProblem> {
@@ -68,7 +69,7 @@ impl JointedProblem {
             compliance: soft.then(|| ComplianceFile { coordinates: "contact".into(), diagonal: list(self.softnesses()) }),
             bodies: self.bodies().map(<[_]>::to_vec),
             keys: self.keys().map(keys),
-            kinds: Some(self.kinds().iter().map(|kind| KindFile::from(*kind)).collect()),
+            kinds: Some(self.kinds().iter().map(|kind| json!(KindFile::from(*kind))).collect()),
             provenance: None,
         })
     }

@@ -5,7 +5,7 @@
 //! ```
 //! 0 ≤ z ⟂ M z + q ≥ 0 is Signorini's problem with W = M, u_free = q and r = z; M may be any square matrix.
 
-use super::matrix::MatrixFile;
+use super::matrix::PlainMatrix;
 use crate::files::read_schema;
 use crate::memory;
 use crate::problem::{ContactProblem, Law};
@@ -29,7 +29,7 @@ pub struct LcpFile {
     #[serde(default)]
     name: String,
     /// M, square.
-    matrix: MatrixFile,
+    matrix: PlainMatrix,
     /// q, as many entries as M has rows.
     vector: Vec<f64>,
     /// How the problem was made; opaque here.
@@ -73,6 +73,25 @@ mod tests {
         refused(&TWO.replace("[-1,2]", "[-1]"), "`matrix`");
         refused(&TWO.replace("[0,1]]", "[0]]"), "matrix.rows[1]");
         refused(&TWO.replace("vector", "vectr"), "vectr");
-        refused(&TWO.replace("\"rows\":[[2,1],[0,1]]", "\"blocks\":{\"row\":[],\"column\":[],\"value\":[]}"), "blocks");
+        refused(&TWO.replace("\"rows\":[[2,1],[0,1]]", "\"blocks\":{\"row\":[],\"column\":[],\"value\":[]}"), "field `blocks`: unknown");
+        refused(&TWO.replace("\"rows\":[[2,1],[0,1]]", "\"shape\":[2,2]").replacen("\"shape\":[2,2],", "", 1), "`rows` and `triplets`");
+    }
+
+    #[test]
+    fn the_schema_and_the_reader_allow_the_same_forms_of_the_matrix() {
+        let schema = serde_json::to_value(schemars::schema_for!(LcpFile)).unwrap();
+        let allowed = &schema["$defs"]["PlainMatrix"]["properties"];
+        let forms = [
+            ("rows", "[[2,1],[0,1]]"),
+            ("triplets", r#"{"row":[0,0,1],"column":[0,1,1],"value":[2,1,1]}"#),
+            ("blocks", r#"{"row":[0,0,1],"column":[0,1,1],"value":[2,1,1]}"#),
+            ("diagonal_blocks", "[[2],[1]]"),
+            ("sparse_rows", r#"{"starts":[0,2,3],"column":[0,1,1],"value":[2,1,1]}"#),
+        ];
+        for (form, value) in forms {
+            let text = TWO.replace("\"rows\":[[2,1],[0,1]]", &format!("\"{form}\":{value}"));
+            assert_eq!(ContactProblem::from_json(&text).is_ok(), allowed.get(form).is_some(), "{form}");
+        }
+        assert_eq!(allowed.as_object().map(|allowed| allowed.len()), Some(3), "the shape, and two forms");
     }
 }

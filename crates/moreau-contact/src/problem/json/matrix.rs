@@ -34,6 +34,30 @@ pub(super) struct MatrixFile {
     pub(super) sparse_rows: Option<SparseRows>,
 }
 
+/// A matrix that is stored whole: all its rows, or its entries that are not zero.
+#[derive(Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [{"required": ["rows"]}, {"required": ["triplets"]}]))]
+pub(super) struct PlainMatrix {
+    /// Numbers of rows and columns.
+    pub(super) shape: [usize; 2],
+    /// Row by row.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    rows: Option<Vec<Vec<f64>>>,
+    /// Entry by entry, each place at most once.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    triplets: Option<Triplets>,
+}
+
+impl PlainMatrix {
+    pub(super) fn read(self, field: &str) -> Result<DMatrix<f64>> {
+        if self.rows.is_some() == self.triplets.is_some() {
+            return Err(Error::invalid(field, "has none of its forms, or both", "give one of `rows` and `triplets`"));
+        }
+        MatrixFile { rows: self.rows, triplets: self.triplets, ..MatrixFile::empty(self.shape) }.read(field)
+    }
+}
+
 /// Contacts, counted from 0, and the blocks W_jk between them.
 #[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

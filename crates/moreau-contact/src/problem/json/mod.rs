@@ -15,7 +15,7 @@
 use super::contact_problem::ROWS;
 use super::{ConstraintKind, ContactKey, ContactProblem, Coordinates, Dynamics, Posed, Solution, siconos};
 use crate::contact::delassus::delassus;
-use crate::files::{names_schema, read_json, read_problem, read_schema, write_atomically};
+use crate::files::{read_json, read_object, read_problem, read_schema, schema_of, write_atomically};
 use crate::memory;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -31,7 +31,7 @@ mod matrix;
 mod sparse_rows;
 
 pub use file::ProblemFile;
-use file::{ComplianceFile, KeyFile, PROBLEM_SCHEMA, read_compliance, read_law, read_operator, text};
+use file::{ComplianceFile, KeyFile, PROBLEM_SCHEMA, read_compliance, read_kinds, read_law, read_operator, text};
 pub use lcp::LcpFile;
 use matrix::MatrixFile;
 
@@ -55,8 +55,9 @@ pub struct SolutionFile {
     problem: Option<String>,
     /// r \[N·s\], ordered (normal, tangent 1, tangent 2) per contact.
     impulse: Vec<f64>,
-    /// u = W r + u_free \[m/s\], without `shift`.
-    velocity: Vec<f64>,
+    /// u = W r + u_free \[m/s\], without `shift`; if absent it is computed, and there is nothing to compare.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    velocity: Option<Vec<f64>>,
     /// β of Stewart–Trinkle, or edge impulses \[N·s\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     beta: Option<Vec<f64>>,
@@ -84,9 +85,17 @@ impl Posed {
         if super::fclib::is_hdf5(file) {
             return super::fclib::read(file).map_err(|error| error.in_file(file));
         }
-        let text = read_problem(file, memory::limit() / TEXT_SHARE, "or allow more with --max-memory")?;
+        let ends = |end: &str| file.extension().is_some_and(|found| found.eq_ignore_ascii_case(end));
+        let is_named_hdf5 = ends("hdf5") || ends("h5");
+        let text = match read_problem(file, memory::limit() / TEXT_SHARE, "or allow more with --max-memory") {
+            Err(Error::Read { .. }) if is_named_hdf5 && file.is_file() => return Err(no_hdf5().in_file(file)),
+            read => read?,
+        };
         let read = match text.trim_start().bytes().next() {
-            Some(b'0'..=b'9') => siconos::read(&text, &file.file_stem().unwrap_or_default().to_string_lossy()).map(Self::contacts),
+            Some(b'{') => Self::from_json(&text),
+            Some(b'0'..=b'9') => Self::siconos(&text, file),
+            _ if is_named_hdf5 => Err(no_hdf5()),
+            _ if ends("dat") => Self::siconos(&text, file),
             _ => Self::from_json(&text),
         };
         read.map_err(|error| error.in_file(file))
@@ -98,17 +107,17 @@ impl Posed {
     /// Those of [`ContactProblem::from_json`].
     pub fn from_json(text: &str) -> Result<Self> {
         memory::require("reading this problem", NUMBER_BYTES * text.bytes().filter(|byte| *byte == b',').count() as u128)?;
-        if text.contains(lcp::LCP_SCHEMA) && names_schema(text, lcp::LCP_SCHEMA) {
+        if schema_of(text, &[PROBLEM_SCHEMA, lcp::LCP_SCHEMA])? == lcp::LCP_SCHEMA {
             return lcp::read(text).map(Self::contacts);
         }
-        let mut file: ProblemFile = read_schema(text, PROBLEM_SCHEMA)?;
+        let mut file: ProblemFile = read_object(text, PROBLEM_SCHEMA)?;
         if !(1..=3).contains(&file.dimension) {
             return Err(Error::invalid("dimension", format!("is {}", file.dimension), ROWS));
         }
         match file.kinds.take() {
             None => ContactProblem::of_file(file).map(Self::contacts),
             Some(kinds) => {
-                let kinds: Vec<ConstraintKind> = kinds.into_iter().map(ConstraintKind::from).collect();
+                let kinds = read_kinds(&kinds)?;
                 if kinds.len() == file.friction.len() && kinds.iter().all(|kind| *kind == ConstraintKind::Contact) {
                     return ContactProblem::of_file(file).map(Self::contacts);
                 }
@@ -117,9 +126,19 @@ impl Posed {
         }
     }
 
+    fn siconos(text: &str, file: &Path) -> Result<Self> {
+        siconos::read(text, &file.file_stem().unwrap_or_default().to_string_lossy()).map(Self::contacts)
+    }
+
     fn contacts(problem: ContactProblem) -> Self {
         Posed::Contacts(Box::new(problem))
     }
+}
+
+/// The error of a file that is named as HDF5 and is none.
+fn no_hdf5() -> Error {
+    let cure = "give a whole HDF5 file of FCLIB: it may be cut off or of another format";
+    Error::invalid("HDF5", "is missing: the file does not begin as HDF5 files do", cure)
 }
 
 impl ContactProblem {
@@ -152,6 +171,7 @@ impl ContactProblem {
     }
 
     fn of_file(file: ProblemFile) -> Result<Self> {
+        file.check_counts()?;
         let rows = file.dimension * file.friction.len();
         let law = read_law(&file.law, file.directions)?;
         let (delassus, dynamics) = read_operator(file.delassus, file.mass, file.jacobian, [file.dimension, rows])?;
@@ -219,28 +239,45 @@ impl Solution {
     /// [`Error::Read`], or [`Error::InFile`] around what [`Solution::from_json`] says, or around [`Error::Invalid`] where the file names
     /// another problem.
     pub fn read(file: &Path, problem: &ContactProblem) -> Result<Self> {
-        Self::read_named(file, problem.name())
+        Self::read_with(file, problem.name(), |impulse| {
+            problem.require_size("impulse", impulse.len())?;
+            Ok(problem.velocity(impulse))
+        })
     }
 
-    /// [`Solution::read`] of an answer to a problem of this name, with joints or without.
+    /// [`Solution::read`] of an answer to a problem with joints or without.
     ///
     /// # Errors
     /// Those of [`Solution::read`].
-    pub fn read_named(file: &Path, problem: &str) -> Result<Self> {
+    pub fn read_posed(file: &Path, problem: &Posed) -> Result<Self> {
+        match problem {
+            Posed::Contacts(problem) => Self::read(file, problem),
+            Posed::Jointed(problem) => Self::read_with(file, problem.name(), |impulse| {
+                problem.require_rows("impulse", impulse.len())?;
+                Ok(problem.velocity(impulse))
+            }),
+        }
+    }
+
+    /// The answer of a file to the problem of this name, in which impulses have this velocity.
+    fn read_with(file: &Path, problem: &str, velocity: impl FnOnce(&DVector<f64>) -> Result<DVector<f64>>) -> Result<Self> {
         #[cfg(feature = "fclib")]
         if super::fclib::is_hdf5(file) {
             return super::fclib::read_solution(file).map_err(|error| error.in_file(file));
         }
         let answer: Result<SolutionFile> = read_schema(&read_json(file)?, SOLUTION_SCHEMA);
-        answer.and_then(|answer| answer.answers(problem).map(|()| Self::from(answer))).map_err(|error| error.in_file(file))
+        answer.and_then(|answer| answer.answers(problem).and_then(|()| answer.with_velocity(velocity))).map_err(|error| error.in_file(file))
     }
 
-    /// Reads the text of a `solution/1`; whether it fits a problem is the certificate's question.
+    /// Reads the text of a `solution/1` with its velocity; whether it fits a problem is the certificate's question.
     ///
     /// # Errors
     /// [`Error::Json`], or [`Error::Invalid`] naming the field and the cure.
     pub fn from_json(text: &str) -> Result<Self> {
-        read_schema::<SolutionFile>(text, SOLUTION_SCHEMA).map(Self::from)
+        let absent = |_: &DVector<f64>| {
+            Err(Error::invalid("velocity", "is missing", "give u = W r + u_free, or read the answer as a file beside its problem"))
+        };
+        read_schema::<SolutionFile>(text, SOLUTION_SCHEMA)?.with_velocity(absent)
     }
 
     /// The solution as text `solution/1`, with the name of its problem and its residuals if given.
@@ -250,7 +287,7 @@ impl Solution {
             schema: SOLUTION_SCHEMA.into(),
             problem: problem.map(str::to_string),
             impulse: list(&self.impulse),
-            velocity: list(&self.velocity),
+            velocity: Some(list(&self.velocity)),
             beta: self.beta.as_ref().map(list),
             sigma: self.sigma.as_ref().map(list),
             solver: self.solver.clone(),
@@ -271,18 +308,18 @@ impl SolutionFile {
             _ => Ok(()),
         }
     }
-}
 
-impl From<SolutionFile> for Solution {
-    fn from(file: SolutionFile) -> Self {
-        Solution {
-            impulse: DVector::from_vec(file.impulse),
-            velocity: DVector::from_vec(file.velocity),
-            beta: file.beta.map(DVector::from_vec),
-            sigma: file.sigma.map(DVector::from_vec),
-            solver: file.solver,
-            iterations: file.iterations.unwrap_or_default(),
-        }
+    /// The answer with its own velocity, or that of its impulses.
+    fn with_velocity(self, of: impl FnOnce(&DVector<f64>) -> Result<DVector<f64>>) -> Result<Solution> {
+        let impulse = DVector::from_vec(self.impulse);
+        Ok(Solution {
+            velocity: self.velocity.map_or_else(|| of(&impulse), |velocity| Ok(DVector::from_vec(velocity)))?,
+            impulse,
+            beta: self.beta.map(DVector::from_vec),
+            sigma: self.sigma.map(DVector::from_vec),
+            solver: self.solver,
+            iterations: self.iterations.unwrap_or_default(),
+        })
     }
 }
 

@@ -117,7 +117,10 @@ fn every_mistake_is_named() {
     refused(&BLOCK.replace("\"coulomb\"", "\"polyhedral-coulomb\""), &["directions", "missing"]);
     refused(&BLOCK.replace("\"dimension\":2", "\"dimension\":2,\"directions\":4"), &["directions", "coulomb"]);
     refused(&BLOCK.replace("\"dimension\":2", "\"dimension\":4"), &["dimension", "is 4"]);
-    refused(&BLOCK.replace("\"dimension\":2", "\"dimension\":3"), &["delassus", "3×3"]);
+    refused(&BLOCK.replace("\"dimension\":2", "\"dimension\":3"), &["dimension", "is 3", "2 rows"]);
+    refused(&BLOCK.replace("[0.5]", "[0.5,0.5]"), &["field `friction`: has size 2; give 1"]);
+    refused(&BLOCK.replace("[0.5]", "[]"), &["field `friction`: has size 0; give 1"]);
+    refused(&BLOCK.replace("contact-problem/1", "lcp"), &["\"lcp\"", "\"contact-problem/1\" or \"lcp/1\""]);
     refused(&BLOCK.replace("\"name\"", "\"nome\""), &["nome"]);
     refused(&BLOCK.replace("[0.25,3]", "[0.25]"), &["delassus.rows[1]", "1 entries"]);
     refused(&BLOCK.replace("\"shape\":[2,2]", "\"shape\":[2,3]"), &["delassus", "2×3"]);
@@ -149,6 +152,67 @@ fn a_solution_comes_back_bit_for_bit() {
     assert_eq!(Solution::from_json(&text).unwrap(), solution);
     let message = Solution::from_json(&text.replace("\"velocity\"", "\"velocities\"")).unwrap_err().to_string();
     assert!(message.contains("velocities"), "{message}");
+}
+
+#[test]
+fn an_answer_without_velocity_has_that_of_its_impulses() {
+    let file = std::env::temp_dir().join(format!("moreau-impulse-alone-{}.json", std::process::id()));
+    let write = |impulse: &str| std::fs::write(&file, format!(r#"{{"schema":"solution/1","impulse":{impulse}}}"#)).unwrap();
+    write("[2,1]");
+    // W r + u_free = (2 + 1/4 − 1/10, 1/2 + 3 + 3/10)
+    let contacts = ContactProblem::from_json(BLOCK).unwrap();
+    let expected = DVector::from_vec(vec![2.15, 3.8]);
+    assert!((Solution::read(&file, &contacts).unwrap().velocity - &expected).amax() <= 1e-15);
+    assert!((Solution::read_posed(&file, &Posed::contacts(contacts.clone())).unwrap().velocity - &expected).amax() <= 1e-15);
+    let message = Solution::from_json(r#"{"schema":"solution/1","impulse":[1]}"#).unwrap_err().to_string();
+    assert!(message.contains("field `velocity`: is missing"), "{message}");
+    write("[2]");
+    assert!(Solution::read(&file, &contacts).unwrap_err().to_string().contains("field `impulse`: has size 1; give size 2"));
+    std::fs::remove_file(&file).unwrap();
+}
+
+#[test]
+fn a_kind_that_is_none_is_named_with_those_there_are() {
+    let rod = r#"{"schema":"contact-problem/1","name":"rod","dimension":1,"law":"frictionless","friction":[0,0],"kinds":["contact",KIND],
+        "free_velocity":[-3,-1],"delassus":{"shape":[2,2],"rows":[[1,0],[0,1]]}}"#;
+    let of = |kind: &str| Posed::from_json(&rod.replace("KIND", kind));
+    assert!(matches!(of(r#"{"bilateral":1}"#), Ok(Posed::Jointed(_))) && of("\"limit\"").is_ok() && of("\"contact\"").is_ok());
+    for kind in [
+        r#"{"bilateral":1,"x":2}"#,
+        "\"bilateral\"",
+        "\"weld\"",
+        "7",
+        "null",
+        r#"{"bilateral":"one"}"#,
+        r#"{"bilateral":1.5}"#,
+        "{}",
+        "[1]",
+    ] {
+        let message = of(kind).expect_err(kind).to_string();
+        assert!(message.starts_with(&format!("field `kinds[1]`: is {kind}; use ")) && message.contains("{\"bilateral\": N}"), "{message}");
+    }
+}
+
+#[test]
+fn a_file_that_is_named_as_another_format_gets_the_cure_of_that_format() {
+    let folder = std::env::temp_dir().join(format!("moreau-named-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let message = |name: &str, bytes: &[u8]| {
+        let file = folder.join(name);
+        std::fs::write(&file, bytes).unwrap();
+        let message = ContactProblem::read(&file).expect_err(name).to_string();
+        assert!(message.contains(name) && !message.contains("start with"), "{message}");
+        message
+    };
+    for text in ["garbage", "", "# a remark\n3\n", "-1 2"] {
+        assert!(message("a.dat", text.as_bytes()).contains("give Siconos's text whole"), "{text}");
+    }
+    for (name, bytes) in [("a.hdf5", &b"garbage"[..]), ("a.h5", b"\0\x01"), ("a.HDF5", b""), ("b.hdf5", b"\x89HDF\r")] {
+        assert!(message(name, bytes).contains("HDF5 file of FCLIB"), "{name}");
+    }
+    std::fs::write(folder.join("block.dat"), BLOCK).unwrap();
+    assert!(ContactProblem::read(&folder.join("block.dat")).is_ok(), "what a file holds decides, where it holds something");
+    std::fs::remove_dir_all(&folder).unwrap();
 }
 
 #[test]

@@ -39,8 +39,11 @@ pub(super) fn read(text: &str, name: &str) -> Result<ContactProblem> {
         (false, true) => lcp(&mut tokens, name),
         (false, false) => Err(Error::invalid(
             "sizes",
-            format!("are {sizes:?} at the beginning of the file"),
-            "give `contact-problem/1` or `lcp/1` in JSON, or Siconos's text: dimension, contacts and W, or n and M",
+            match text.split_whitespace().take(5).map(|word| word.chars().take(20).collect()).collect::<Vec<String>>().join(" ") {
+                none if none.is_empty() => "are missing: the file is empty".into(),
+                first => format!("are `{first}` at the beginning of the file"),
+            },
+            "give Siconos's text whole, dimension, contacts and W first, or n and M; or `contact-problem/1` or `lcp/1` in JSON",
         )),
     }
 }

@@ -18,7 +18,7 @@ use stages::{QUICK, THOROUGH, left_out};
 ///
 /// | for | algorithm |
 /// |---|---|
-/// | W stored by blocks | each island of contacts that meet by itself, then the whole from there |
+/// | many contacts, or a few at which all else failed | each island of contacts that meet by itself |
 /// | a warm start of many contacts that is no solution any more | a few steps of nonsmooth Newton from it |
 /// | soft contacts | Newton on Gauss's principle |
 /// | no friction, a few contacts | Newton-min, Lemke |
@@ -26,7 +26,8 @@ use stages::{QUICK, THOROUGH, left_out};
 /// | all but a compliance on edges | a few accelerated sweeps, and a few steps of nonsmooth Newton from what they found |
 /// | W stored by blocks, round cones | interior points, and Newton from there |
 /// | all but a compliance on edges | Newton |
-/// | W stored by blocks, where that was not good enough | Newton from zero |
+/// | all but a compliance on edges, where that was not good enough | proximal points around Newton, from zero |
+/// | W stored by blocks | Newton from zero |
 /// | the same without the polyhedral associated law in space | more accelerated sweeps, and Newton |
 /// | all but a compliance on edges | Newton from zero; Newton on contacts that are soft at first and then harder and harder |
 /// | second-order cones | plain sweeps, and Newton from what they found |
@@ -134,13 +135,22 @@ fn opens_everywhere(problem: &ContactProblem) -> bool {
     })
 }
 
-/// What needs no algorithm; else one island after another; else one algorithm after another.
+/// What needs no algorithm; else one island after another, of a few contacts only where one algorithm after another fails at the whole.
 fn chain(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Result<Solution> {
     super::start(problem, warm_start)?;
-    if let Some(solution) = at_once(problem, warm_start, goal).or_else(|| islands(problem, warm_start, goal)) {
+    if let Some(solution) = at_once(problem, warm_start, goal) {
         return Ok(solution);
     }
-    stages_in_turn(problem, warm_start, goal)
+    let many = problem.contacts() >= FEWEST_IN_ISLANDS;
+    if let Some(solution) = many.then(|| islands(problem, warm_start, goal)).flatten() {
+        return Ok(solution);
+    }
+    let whole = stages_in_turn(problem, warm_start, goal);
+    let is_good = |solution: &Solution| is_within(problem, solution, goal.acceptable);
+    if many || whole.as_ref().is_ok_and(is_good) || whole.as_ref().is_err_and(is_infeasible) {
+        return whole;
+    }
+    islands(problem, warm_start, goal).map_or(whole, Ok)
 }
 
 /// What needs no algorithm: r = 0 where every contact opens, or what is kept where it is still a solution – at rest the impulses of the
@@ -158,37 +168,66 @@ fn is_within(problem: &ContactProblem, solution: &Solution, relative: f64) -> bo
     Judge::default().judge(problem, solution).is_ok_and(|judged| judged.relative() <= relative)
 }
 
-/// The answers to all islands, if there are several and together they are good enough. It has the name and the iterations of the algorithm
+/// The answers to all islands, if there are several and one has an answer; no other algorithm does better, for they do not move each other.
+/// An island without an answer, which may have no solution, has no impulses. The answer has the name and the iterations of the algorithm
 /// that took most of them.
 fn islands(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Option<Solution> {
-    let blocks = problem.delassus().blocks()?;
-    if problem.contacts() < FEWEST_IN_ISLANDS {
+    let islands = problem.islands();
+    let lone = islands.members.last().filter(|_| islands.last_is_of_lone).map_or(0, Vec::len);
+    if islands.members.len() + lone.saturating_sub(1) < 2 || !stages::is_iterated(problem) {
         return None;
     }
-    let islands = Islands::of(blocks);
-    if islands.members.len() < 2 || !stages::is_iterated(problem) {
-        return None;
+    let mut merged = Merged { impulse: DVector::zeros(problem.rows()), longest: None };
+    for (place, members) in islands.members.iter().enumerate() {
+        let answer = |members: &[usize]| island(problem, islands, members, warm_start, goal);
+        let together = answer(members);
+        let is_of_lone = members.len() > 1 && islands.last_is_of_lone && place + 1 == islands.members.len();
+        match together {
+            // what one of them cannot do is no reason for the others
+            Err(_) | Ok((_, false)) if is_of_lone => members.iter().for_each(|k| merged.take(&[*k], answer(&[*k]).ok())),
+            other => merged.take(members, other.ok()),
+        }
     }
-    let (rows, mut impulse) = (problem.rows_per_contact(), DVector::zeros(problem.rows()));
-    let mut longest: Option<(usize, String)> = None;
-    for members in &islands.members {
-        let island = problem.island(blocks, &islands, members);
-        let kept = warm_start.map(|whole| island_rows(whole, members, rows));
-        let solution = match at_once(&island, kept.as_ref(), goal) {
-            Some(solution) => solution,
-            None => stages_in_turn(&island, kept.as_ref(), goal).ok()?,
-        };
+    let (iterations, solver) = merged.longest?;
+    let velocity = problem.velocity(&merged.impulse);
+    Some(Solution { solver, ..Solution::new(NAME, merged.impulse, velocity, iterations) })
+}
+
+/// The answer to one island, and whether it is good enough.
+fn island(
+    problem: &ContactProblem,
+    islands: &Islands,
+    members: &[usize],
+    warm_start: Option<&DVector<f64>>,
+    goal: Goal,
+) -> Result<(Solution, bool)> {
+    let island = problem.island(islands, members);
+    let kept = warm_start.map(|whole| island_rows(whole, members, problem.rows_per_contact()));
+    if let Some(solution) = at_once(&island, kept.as_ref(), goal) {
+        return Ok((solution, true));
+    }
+    let solution = stages_in_turn(&island, kept.as_ref(), goal)?;
+    let is_good = !islands.last_is_of_lone || is_within(&island, &solution, goal.acceptable);
+    Ok((solution, is_good))
+}
+
+/// The answers to islands, put together.
+struct Merged {
+    impulse: DVector<f64>,
+    longest: Option<(usize, String)>,
+}
+
+impl Merged {
+    fn take(&mut self, members: &[usize], answer: Option<(Solution, bool)>) {
+        let Some((solution, _)) = answer else { return };
+        let rows = solution.impulse.len() / members.len();
         for (k, part) in members.iter().zip(solution.impulse.as_slice().chunks_exact(rows)) {
-            impulse.rows_mut(k * rows, rows).copy_from_slice(part);
+            self.impulse.rows_mut(k * rows, rows).copy_from_slice(part);
         }
-        if longest.as_ref().is_none_or(|(most, _)| solution.iterations > *most) {
-            longest = Some((solution.iterations, solution.solver));
+        if self.longest.as_ref().is_none_or(|(most, _)| solution.iterations > *most) {
+            self.longest = Some((solution.iterations, solution.solver));
         }
     }
-    let (iterations, solver) = longest?;
-    let velocity = problem.velocity(&impulse);
-    let solution = Solution { solver, ..Solution::new(NAME, impulse, velocity, iterations) };
-    is_within(problem, &solution, goal.acceptable).then_some(solution)
 }
 
 /// One algorithm after another until the goal is reached, and the best answer of all.
@@ -293,18 +332,46 @@ mod tests {
         }
         assert!((&by_islands.velocity - &whole.velocity).amax() <= CERTIFY, "W is positive definite: one velocity");
         let dense = problem.clone().into_builder().delassus(problem.dense().clone()).build().unwrap();
-        assert!(islands(&dense, None, goal).is_none(), "a dense W does not tell");
-        assert!(islands(&chains(2), None, goal).is_none(), "few contacts are not taken apart");
+        assert_eq!(islands(&dense, None, goal).unwrap().impulse, by_islands.impulse, "the same numbers in a square matrix");
+        let one = chains(1).into_builder().delassus(DMatrix::identity(6, 6)).build().unwrap();
+        let joined = one.clone().into_builder().delassus(DMatrix::identity(6, 6) + DMatrix::from_element(6, 6, 1.0)).build().unwrap();
+        assert!(islands(&one, None, goal).is_some() && islands(&joined, None, goal).is_none());
+    }
+
+    /// Contacts of 1 kg each that meet no other and close at 1 m/s; what no impulse moves closes or opens at this speed.
+    fn beside_massless(n: usize, speed: f64) -> ContactProblem {
+        let w = DMatrix::from_fn(3 * n, 3 * n, |i, j| f64::from(i == j && i / 3 != 1));
+        let free = DVector::from_fn(3 * n, |i, _| match (i / 3, i % 3) {
+            (1, 0) => speed,
+            (_, 0) => -1.0,
+            (_, other) => 0.4 * other as f64,
+        });
+        ContactProblem::new(w, free).friction(vec![0.5; n]).build().unwrap()
+    }
+
+    #[test]
+    fn a_contact_that_nothing_moves_leaves_the_others_their_answers() {
+        for n in [3, 40] {
+            let opens = beside_massless(n, 0.25);
+            let answer = Auto.solve(&opens, None).unwrap();
+            assert!(residuals(&opens, &answer).unwrap().is_solution(CERTIFY), "{n}: {}", answer.solver);
+            let closes = beside_massless(n, -0.25);
+            let answer = Auto.solve(&closes, None).unwrap();
+            let judged = residuals(&closes, &answer).unwrap().judged;
+            assert!(!judged.accepts(CERTIFY) && judged.dual.contact == 1);
+            for k in (0..n).filter(|k| *k != 1) {
+                assert_eq!(answer.impulse[3 * k], 1.0, "{n}: contact {k}");
+            }
+        }
     }
 
     #[test]
     fn an_island_is_the_problem_of_its_contacts() {
         let problem = chains(4);
-        let blocks = problem.delassus().blocks().unwrap();
-        let islands = Islands::of(blocks);
+        let islands = problem.islands();
         assert_eq!(islands.members.iter().map(Vec::len).collect::<Vec<_>>(), [5, 5, 5, 5, 4]);
         for members in &islands.members {
-            let island = problem.island(blocks, &islands, members);
+            let island = problem.island(islands, members);
             for (place, k) in members.iter().enumerate() {
                 assert_eq!(
                     (island.free_velocity()[place], island.friction()[place]),

@@ -4,10 +4,11 @@
 use super::super::ClarabelPolished;
 use super::super::{
     AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, Enumeration, GaussNewton, InteriorPoint, LemkePivoting, NewtonMin,
-    NonsmoothNewton, ProjectedGaussSeidel, ProjectedOverRelaxation, compliance,
+    NonsmoothNewton, ProjectedGaussSeidel, ProjectedOverRelaxation, ProximalNewton, compliance,
 };
 use crate::certificate::Judge;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
+use crate::tolerance::newton::STEPS_IN_AUTO;
 use crate::tolerance::solvers::{self as tolerance, ENOUGH};
 use moreau_exact::Result;
 use nalgebra::DVector;
@@ -32,6 +33,7 @@ pub(super) const QUICK: &[(Takes, Stage)] = &[
 
 /// Those that follow where the answer is not good enough yet for the certificate, [`ACCEPTABLE`].
 pub(super) const THOROUGH: &[(Takes, Stage)] = &[
+    (is_iterated, |problem, _, stop| ProximalNewton { steps: STEPS_IN_AUTO, tolerance: stop, ..Default::default() }.solve(problem, None)),
     (has_blocks, |problem, _, stop| newton(problem, None, stop)),
     (is_swept, more_sweeps),
     (is_swept, newton),

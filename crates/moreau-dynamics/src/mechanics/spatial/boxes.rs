@@ -46,7 +46,7 @@ pub(super) fn manifold(
     let pair = Pair::new(half_extents, poses);
     let mut manifold = ContactManifold::<(), ()>::new();
     contact_manifold_cuboid_cuboid(&pair.relative, &pair.cuboids[0], &pair.cuboids[1], f64::MAX, &mut manifold);
-    let mut touches: Vec<Touch> = Vec::new();
+    let mut touches: Vec<Touch> = Vec::with_capacity(manifold.points.len());
     let [own, opposite] = pair.facing(&manifold);
     let faces = share(&own, &opposite);
     for touch in manifold.points.iter().filter_map(|point| pair.measure(point, &manifold, faces.as_ref())) {

@@ -10,12 +10,15 @@
 
 use super::boxes::box_box;
 use super::faces::level;
+use super::round::{self, Rod};
 use super::shape::{Pose, Shape, corners};
-use super::touch::{Touch, direction};
+use super::spheres::{sphere_box, sphere_sphere};
+use super::touch::Touch;
 use crate::mechanics::Plane;
 use nalgebra::Vector3;
 
-/// Appends the candidates of a shape with the ground: the deepest point of a sphere, the eight corners of a box.
+/// Appends the candidates of a shape with the ground: the deepest point of a sphere, the eight corners of a box; the
+/// others are in `round`.
 pub(super) fn ground_touches(shape: &Shape, pose: &Pose, ground: &Plane, touches: &mut Vec<Touch>) {
     let normal = Vector3::new(ground.normal[0], ground.normal[1], ground.normal[2]);
     let touch = |point: Vector3<f64>, radius: f64, feature: u32| {
@@ -24,6 +27,12 @@ pub(super) fn ground_touches(shape: &Shape, pose: &Pose, ground: &Plane, touches
     };
     match shape {
         Shape::Sphere { radius } => touches.push(touch(pose.centre, *radius, 0)),
+        Shape::Capsule { radius, half_height } => {
+            round::capsule_ground(Rod { radius: *radius, half_height: *half_height, pose }, ground, touches);
+        }
+        Shape::Cylinder { radius, half_height } => {
+            round::cylinder_ground(Rod { radius: *radius, half_height: *half_height, pose }, ground, touches);
+        }
         Shape::Box { half_extents } => {
             let first = touches.len();
             touches.extend((0..).zip(corners(*half_extents)).map(|(k, corner)| touch(pose.world(corner), 0.0, k)));
@@ -39,11 +48,12 @@ fn level_lowest_face(touches: &mut [Touch], pose: &Pose, normal: &Vector3<f64>) 
     // corner k has the sign of bit k of its number, x first
     let (bit, up) = (4 >> axis, upward[axis] > 0.0);
     let outward = pose.rotation.column(axis) * if up { -1.0 } else { 1.0 };
-    let mut lowest: Vec<&mut Touch> = touches.iter_mut().filter(|touch| (touch.features[0] & bit == 0) == up).collect();
+    let mut lowest: Vec<&mut Touch> = Vec::with_capacity(4);
+    lowest.extend(touches.iter_mut().filter(|touch| (touch.features[0] & bit == 0) == up));
     level(&mut lowest, &outward, normal);
 }
 
-/// Appends the candidates of a pair of shapes: one with a sphere, a manifold of a pair of boxes.
+/// Appends the candidates of a pair of shapes: one with a sphere, a manifold of a pair of others.
 pub(super) fn pair_touches(first: &Shape, pose_first: &Pose, second: &Shape, pose_second: &Pose, touches: &mut Vec<Touch>) {
     match (*first, *second) {
         (Shape::Sphere { radius }, Shape::Sphere { radius: other }) => {
@@ -58,30 +68,24 @@ pub(super) fn pair_touches(first: &Shape, pose_first: &Pose, second: &Shape, pos
         (Shape::Box { half_extents }, Shape::Box { half_extents: other }) => {
             touches.extend(box_box(half_extents, pose_first, other, pose_second));
         }
+        (Shape::Capsule { radius, half_height }, Shape::Capsule { radius: other, half_height: length }) => {
+            let second = Rod { radius: other, half_height: length, pose: pose_second };
+            round::capsules(Rod { radius, half_height, pose: pose_first }, second, touches);
+        }
+        (Shape::Capsule { radius, half_height }, Shape::Box { half_extents }) => {
+            round::capsule_box(Rod { radius, half_height, pose: pose_first }, half_extents, pose_second, touches);
+        }
+        (Shape::Sphere { radius }, Shape::Capsule { radius: other, half_height }) => {
+            touches.push(round::sphere_capsule(radius, &pose_first.centre, Rod { radius: other, half_height, pose: pose_second }));
+        }
+        (Shape::Sphere { radius }, Shape::Cylinder { radius: other, half_height }) => {
+            touches.push(round::sphere_cylinder(radius, &pose_first.centre, Rod { radius: other, half_height, pose: pose_second }));
+        }
+        (Shape::Capsule { .. } | Shape::Cylinder { .. }, Shape::Sphere { .. }) | (Shape::Box { .. }, Shape::Capsule { .. }) => {
+            let begin = touches.len();
+            pair_touches(second, pose_second, first, pose_first, touches);
+            touches[begin..].iter_mut().for_each(|touch| *touch = touch.swapped());
+        }
+        (Shape::Cylinder { .. }, _) | (_, Shape::Cylinder { .. }) => unreachable!("refused when the bodies were put together"),
     }
-}
-
-fn sphere_sphere(radius: f64, first: &Pose, other: f64, second: &Pose) -> Touch {
-    let (distance, normal) = direction(second.centre, first.centre);
-    let points = [first.centre - normal * radius, second.centre + normal * other];
-    Touch::new(distance - radius - other, normal, points, [0, 0])
-}
-
-/// Outside, the nearest point of the box counts; inside, its nearest face, the first of several.
-pub(in crate::mechanics) fn sphere_box(radius: f64, sphere: &Vector3<f64>, half_extents: [f64; 3], cuboid: &Pose) -> Touch {
-    let centre = cuboid.body(*sphere);
-    let extents = Vector3::from(half_extents);
-    let nearest = centre.zip_map(&extents, |x, extent| x.clamp(-extent, extent));
-    let (distance, normal, on_box) = if nearest == centre {
-        let depths = extents - centre.abs();
-        let axis = depths.imin();
-        let sign = if centre[axis] < 0.0 { -1.0 } else { 1.0 };
-        let mut on_face = centre;
-        on_face[axis] = sign * extents[axis];
-        (-depths[axis], cuboid.rotation.column(axis) * sign, on_face)
-    } else {
-        let (distance, normal) = direction(cuboid.world(nearest), *sphere);
-        (distance, normal, nearest)
-    };
-    Touch::new(distance - radius, normal, [sphere - normal * radius, cuboid.world(on_box)], [0, 0])
 }

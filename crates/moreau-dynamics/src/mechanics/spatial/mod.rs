@@ -1,4 +1,4 @@
-//! Rigid bodies in space: unit quaternions, M = diag(m, m, m, J₁, J₂, J₃) per body, contacts of spheres and boxes.
+//! Rigid bodies in space: unit quaternions, M = diag(m, m, m, J₁, J₂, J₃) per body, contacts of spheres, boxes, capsules and cylinders.
 //!
 //! ```text
 //!     q = (x, y, z, w, i, j, k) per body          centre of mass and unit quaternion, body to world
@@ -9,6 +9,9 @@
 //! never factored, and the gyroscopic term has no derivative of R in it. A point at the world distance r from the centre
 //! moves with ẋ + (RΩ) × r, so a contact row with direction d is (d, Rᵀ(r × d)).
 //!
+//! A body that nothing moves (static, or with a prescribed velocity) has M = ∞: M⁻¹ = 0, F = 0, and v stays what it was. Its own motion has
+//! no kinetic energy here, and it has no contact with the ground or with another one of its kind.
+//!
 //! The gyroscopic term enters a step by its average over it, see [`gyroscopic`](self::SpatialBodies) and
 //! [`Mechanism::mean_force`].
 
@@ -16,13 +19,14 @@ mod boxes;
 mod faces;
 mod features;
 mod gyroscopic;
+mod round;
 mod shape;
+mod spheres;
 mod touch;
 
-pub(in crate::mechanics) use features::sphere_box;
 pub(in crate::mechanics) use shape::Pose;
-pub(crate) use shape::box_moments;
 pub use shape::{Shape, SpatialBody};
+pub(in crate::mechanics) use spheres::sphere_box;
 pub(in crate::mechanics) use touch::Touch;
 
 use super::neighbours::Neighbours;
@@ -36,10 +40,17 @@ use moreau_exact::number::significant;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector, Matrix3, UnitQuaternion, Vector3};
 
-/// Spheres and boxes in space under gravity, over an optional ground plane.
+/// Candidates of two boxes at most: corners over faces, and crossings of the edges of two faces.
+const MOST_TOUCHES: usize = 16;
+/// Candidates of a pair with a capsule at most: its ends, and its segment beside the corners and edges of a box.
+const MOST_OF_CAPSULES: usize = 22;
+/// Candidates of a cylinder with the ground at most: the lowest point of each rim, and four that turn with it.
+const MOST_OF_CYLINDERS: usize = 10;
+
+/// Spheres, boxes, capsules and cylinders in space under gravity, over an optional ground plane.
 ///
-/// Contact candidates in fixed order: each body with the ground (sphere: 1, box: its 8 corners), then each pair i < j (two
-/// boxes: a manifold whose size varies, otherwise 1), with the normal pointing to the body named first.
+/// Contact candidates in fixed order: each body with the ground (sphere: 1, box: its 8 corners, capsule: its 2 ends, cylinder: rims), then
+/// each pair i < j (with a sphere: 1, otherwise a manifold whose size varies), with the normal pointing to the body named first.
 #[derive(Clone, Debug)]
 pub struct SpatialBodies {
     name: String,
@@ -47,6 +58,8 @@ pub struct SpatialBodies {
     gravity: Vector3<f64>,
     ground: Option<Plane>,
     materials: Materials,
+    /// The diagonal of M, infinite where nothing moves the body.
+    inertias: DVector<f64>,
     neighbours: Neighbours,
 }
 
@@ -67,7 +80,7 @@ impl SpatialBodies {
     /// Bodies in free space.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if there is no body or gravity is not finite.
+    /// [`Error::Invalid`] if there is no body or gravity is not finite; [`Error::Unsupported`] if two of the shapes have no contact here.
     pub fn without_ground(name: impl Into<String>, bodies: Vec<SpatialBody>, gravity: [f64; 3], materials: Materials) -> Result<Self> {
         if bodies.is_empty() {
             return Err(Error::invalid("bodies", "is empty", "give at least one body"));
@@ -75,7 +88,11 @@ impl SpatialBodies {
         if !gravity.iter().all(|g| g.is_finite()) {
             return Err(Error::invalid("gravity", format!("is {gravity:?}"), "use finite numbers"));
         }
-        Ok(SpatialBodies { name: name.into(), bodies, gravity: gravity.into(), ground: None, materials, neighbours: Neighbours::default() })
+        refuse_pairs_without_contact(&bodies)?;
+        let diagonal = bodies.iter().flat_map(|body| [body.mass(); 3].into_iter().chain(body.moments().iter().copied()));
+        let inertias = DVector::from_iterator(6 * bodies.len(), diagonal);
+        let (name, gravity, neighbours) = (name.into(), gravity.into(), Neighbours::default());
+        Ok(SpatialBodies { name, bodies, gravity, ground: None, materials, inertias, neighbours })
     }
 
     /// The same bodies with some pairs' friction and restitution overridden.
@@ -87,10 +104,8 @@ impl SpatialBodies {
         Ok(self)
     }
 
-    /// The diagonal of M.
-    fn inertias(&self) -> DVector<f64> {
-        let diagonal = self.bodies.iter().flat_map(|body| [body.mass(); 3].into_iter().chain(body.moments().iter().copied()));
-        DVector::from_iterator(6 * self.bodies.len(), diagonal)
+    fn free(&self) -> impl Iterator<Item = (usize, &SpatialBody)> {
+        self.bodies.iter().enumerate().filter(|(_, body)| body.is_free())
     }
 
     fn poses(&self, position: &DVector<f64>) -> Vec<Pose> {
@@ -119,22 +134,25 @@ impl SpatialBodies {
     /// The candidates with a gap of at most `reach`, their rows taken at the points of the two bodies that `seen` chooses.
     fn candidates(&self, position: &DVector<f64>, reach: f64, seen: impl Fn(&Touch) -> [Vector3<f64>; 2]) -> Vec<Contact> {
         let poses = self.poses(position);
-        let mut contacts = Vec::new();
+        let mut contacts = Vec::with_capacity(self.neighbours.expected());
         self.touches(&poses, reach, |first, second, touch| {
             contacts.push(self.contact(first, second, &Touch { seen: seen(touch), ..*touch }, &|body| poses[body]));
         });
+        self.neighbours.expect(contacts.len());
         contacts
     }
 
     /// Shows where bodies touch with a gap of at most `reach`, in the order of the candidates.
     fn touches(&self, poses: &[Pose], reach: f64, mut show: impl FnMut(usize, Option<usize>, &Touch)) {
-        let mut touches = Vec::new();
+        let mut touches = Vec::with_capacity(MOST_TOUCHES);
         let mut keep = |first: usize, second: Option<usize>, touches: &mut Vec<Touch>| {
             touches.iter().filter(|touch| touch.gap <= reach).for_each(|touch| show(first, second, touch));
             touches.clear();
         };
         if let Some(ground) = &self.ground {
-            for (first, body) in self.bodies.iter().enumerate() {
+            let normal = Vector3::new(ground.normal[0], ground.normal[1], ground.normal[2]);
+            let lowest = |body: usize| normal.dot(&poses[body].centre) - ground.offset - self.bodies[body].shape().radius();
+            for (first, body) in self.free().filter(|(body, _)| lowest(*body) <= reach) {
                 ground_touches(body.shape(), &poses[first], ground, &mut touches);
                 keep(first, None, &mut touches);
             }
@@ -143,7 +161,8 @@ impl SpatialBodies {
         let radius = |body: usize| self.bodies[body].shape().radius();
         self.neighbours.near(&centres, radius, reach, |first, second| {
             let distance = (centres[first] - centres[second]).norm();
-            if distance - radius(first) - radius(second) <= reach {
+            let moves = self.bodies[first].is_free() || self.bodies[second].is_free();
+            if moves && distance - radius(first) - radius(second) <= reach {
                 let (own, other) = (self.bodies[first].shape(), self.bodies[second].shape());
                 pair_touches(own, &poses[first], other, &poses[second], &mut touches);
                 keep(first, Some(second), &mut touches);
@@ -154,12 +173,28 @@ impl SpatialBodies {
     /// (m g, τ) per body with the given torques in the body frame.
     fn weights(&self, torque: impl Fn(usize, &SpatialBody) -> Vector3<f64>) -> DVector<f64> {
         let mut force = DVector::zeros(self.degrees_of_freedom());
-        for (k, body) in self.bodies.iter().enumerate() {
+        for (k, body) in self.free() {
             force.fixed_rows_mut::<3>(6 * k).copy_from(&(self.gravity * body.mass()));
             force.fixed_rows_mut::<3>(6 * k + 3).copy_from(&torque(k, body));
         }
         force
     }
+}
+
+/// Refuses bodies that would go through each other.
+fn refuse_pairs_without_contact(bodies: &[SpatialBody]) -> Result<()> {
+    let cylinders = bodies.iter().enumerate().filter(|(_, body)| matches!(body.shape(), Shape::Cylinder { .. }));
+    for (k, cylinder) in cylinders {
+        let apart = |(j, other): &(usize, &SpatialBody)| {
+            *j != k && (cylinder.is_free() || other.is_free()) && !cylinder.shape().touches(other.shape())
+        };
+        if let Some((_, other)) = bodies.iter().enumerate().find(apart) {
+            let [own, word] = [cylinder, other].map(|body| body.shape().word());
+            let bodies = format!("`{}` and `{}`", cylinder.name(), other.name());
+            return Err(Error::Unsupported(format!("there is no contact of a {own} with a {word}: {bodies}")));
+        }
+    }
+    Ok(())
 }
 
 /// Ω of body k.
@@ -195,11 +230,11 @@ impl Mechanism for SpatialBodies {
     }
 
     fn mass_matrix(&self, _position: &DVector<f64>) -> DMatrix<f64> {
-        DMatrix::from_diagonal(&self.inertias())
+        DMatrix::from_diagonal(&self.inertias)
     }
 
     fn mass(&self, _position: &DVector<f64>) -> Mass {
-        Mass::Diagonal(self.inertias())
+        Mass::Diagonal(self.inertias.clone())
     }
 
     fn is_free(&self) -> bool {
@@ -207,7 +242,8 @@ impl Mechanism for SpatialBodies {
     }
 
     fn kinetic_energy(&self, state: &State) -> f64 {
-        0.5 * state.velocity.dot(&self.inertias().component_mul(&state.velocity))
+        let momentum = self.inertias.zip_map(&state.velocity, |m, v| if m.is_finite() { m * v } else { 0.0 });
+        0.5 * state.velocity.dot(&momentum)
     }
 
     fn force(&self, _position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64> {
@@ -227,8 +263,8 @@ impl Mechanism for SpatialBodies {
     }
 
     fn check_speed(&self, velocity: &DVector<f64>, h: f64) -> Result<()> {
-        let fast = |k: &usize| gyroscopic::is_too_fast(self.bodies[*k].moments(), &spin(*k, velocity), h);
-        let Some(k) = (0..self.bodies.len()).find(fast) else { return Ok(()) };
+        let fast = |(k, body): &(usize, &SpatialBody)| gyroscopic::is_too_fast(body.moments(), &spin(*k, velocity), h);
+        let Some((k, _)) = self.free().find(fast) else { return Ok(()) };
         let turn = spin(k, velocity).norm() * h;
         let problem = format!("of {} turns it by {} rad in a step of {h} s", self.bodies[k].name(), significant(turn));
         let cure = format!(
@@ -247,13 +283,20 @@ impl Mechanism for SpatialBodies {
     }
 
     /// A sphere has one candidate with the ground and a box its eight corners; a pair has one, or sixteen of two boxes: eight corners and
-    /// eight crossings of the edges of two faces.
+    /// eight crossings of the edges of two faces; or as many as a capsule may have.
     fn most_candidates(&self) -> Option<usize> {
         let boxes = self.bodies.iter().filter(|body| matches!(body.shape(), Shape::Box { .. })).count();
+        let count = |is: fn(&Shape) -> bool| self.bodies.iter().filter(|body| is(body.shape())).count();
+        let capsules = count(|shape| matches!(shape, Shape::Capsule { .. }));
+        let cylinders = count(|shape| matches!(shape, Shape::Cylinder { .. }));
         let pairs = |n: usize| n.saturating_mul(n.saturating_sub(1)) / 2;
-        let others = pairs(self.bodies.len()).saturating_sub(pairs(boxes));
-        let ground = if self.ground.is_some() { self.bodies.len() + 7 * boxes } else { 0 };
-        Some(pairs(boxes).saturating_mul(16).saturating_add(others).saturating_add(ground))
+        let all = pairs(self.bodies.len());
+        let with_capsules = all.saturating_sub(pairs(self.bodies.len() - capsules));
+        let others = all.saturating_sub(pairs(boxes)).saturating_sub(with_capsules);
+        let more = 7 * boxes + capsules + (MOST_OF_CYLINDERS - 1) * cylinders;
+        let ground = if self.ground.is_some() { self.bodies.len() + more } else { 0 };
+        let manifolds = pairs(boxes).saturating_mul(MOST_TOUCHES).saturating_add(with_capsules.saturating_mul(MOST_OF_CAPSULES));
+        Some(manifolds.saturating_add(others).saturating_add(ground))
     }
 
     fn count_within(&self, position: &DVector<f64>, reach: f64) -> usize {
@@ -267,6 +310,8 @@ impl Mechanism for SpatialBodies {
         let mut touches = Vec::new();
         match (second, &self.ground) {
             (None, None) => {}
+            (None, Some(_)) if !self.bodies[first].is_free() => {}
+            (Some(other), _) if !(self.bodies[first].is_free() || self.bodies[other].is_free()) => {}
             (None, Some(ground)) => ground_touches(self.bodies[first].shape(), &pose(first), ground, &mut touches),
             (Some(other), _) => {
                 pair_touches(self.bodies[first].shape(), &pose(first), self.bodies[other].shape(), &pose(other), &mut touches);
@@ -302,7 +347,7 @@ impl Mechanism for SpatialBodies {
     /// −∂(Ω × JΩ)/∂Ω = \[JΩ\]ₓ − \[Ω\]ₓ J for every body.
     fn gyroscopic_slope(&self, _position: &DVector<f64>, velocity: &DVector<f64>) -> Option<DMatrix<f64>> {
         let mut slope = DMatrix::zeros(self.degrees_of_freedom(), self.degrees_of_freedom());
-        for (k, body) in self.bodies.iter().enumerate() {
+        for (k, body) in self.free() {
             let spin = spin(k, velocity);
             let momentum = body.moments().component_mul(&spin);
             let block = momentum.cross_matrix() - spin.cross_matrix() * Matrix3::from_diagonal(body.moments());
@@ -329,7 +374,7 @@ impl Mechanism for SpatialBodies {
 
     fn potential_energy(&self, position: &DVector<f64>) -> f64 {
         let height = |k: usize| self.gravity.dot(&position.fixed_rows::<3>(7 * k));
-        self.bodies.iter().enumerate().map(|(k, body)| -body.mass() * height(k)).sum()
+        self.free().map(|(k, body)| -body.mass() * height(k)).sum()
     }
 
     fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
@@ -364,3 +409,5 @@ mod face_tests;
 mod motion_tests;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod unmoved_tests;

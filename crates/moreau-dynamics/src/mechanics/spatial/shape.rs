@@ -17,6 +17,20 @@ pub enum Shape {
         /// (a, b, c) \[m\].
         half_extents: [f64; 3],
     },
+    /// The points within r of a segment of length 2l along the body's z axis.
+    Capsule {
+        /// r \[m\].
+        radius: f64,
+        /// l \[m\].
+        half_height: f64,
+    },
+    /// A cylinder about the body's z axis.
+    Cylinder {
+        /// r \[m\].
+        radius: f64,
+        /// Half of its height \[m\].
+        half_height: f64,
+    },
 }
 
 impl Shape {
@@ -25,12 +39,66 @@ impl Shape {
         match self {
             Shape::Sphere { radius } => *radius,
             Shape::Box { half_extents } => Vector3::from(*half_extents).norm(),
+            Shape::Capsule { radius, half_height } => half_height + radius,
+            Shape::Cylinder { radius, half_height } => half_height.hypot(*radius),
+        }
+    }
+
+    /// Its word in messages, that of `scene/1`.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Shape::Sphere { .. } => "sphere",
+            Shape::Box { .. } => "box",
+            Shape::Capsule { .. } => "capsule",
+            Shape::Cylinder { .. } => "cylinder",
+        }
+    }
+
+    /// Whether two shapes have a contact here: a cylinder has one with spheres and the ground only.
+    pub fn touches(&self, other: &Shape) -> bool {
+        let is = |shape: &Shape, cylinder: bool| match shape {
+            Shape::Cylinder { .. } => cylinder,
+            Shape::Sphere { .. } => false,
+            Shape::Box { .. } | Shape::Capsule { .. } => !cylinder,
+        };
+        !(is(self, true) && (is(other, true) || is(other, false)) || is(other, true) && is(self, false))
+    }
+
+    /// Principal moments of the solid of mass m \[kg·m²\]: ⅖ m r² of a ball, m/3 (b² + c², a² + c², a² + b²) of a box,
+    /// m (r²/4 + l²/3), the same and m r²/2 of a cylinder. A capsule is a cylinder and two half balls of the same density, whose centres of
+    /// mass lie 3r/8 beyond its ends.
+    pub fn solid_moments(&self, mass: f64) -> [f64; 3] {
+        match *self {
+            Shape::Sphere { radius } => [0.4 * mass * radius * radius; 3],
+            Shape::Box { half_extents } => box_moments(mass, half_extents),
+            Shape::Cylinder { radius: r, half_height: l } => {
+                let across = mass * (0.25 * r * r + l * l / 3.0);
+                [across, across, 0.5 * mass * r * r]
+            }
+            Shape::Capsule { radius: r, half_height: l } => {
+                // volumes 2π r² l and 4/3 π r³
+                let balls = mass * 2.0 * r / (3.0 * l + 2.0 * r);
+                let middle = mass - balls;
+                let across = middle * (0.25 * r * r + l * l / 3.0) + balls * (0.4 * r * r + l * l + 0.75 * l * r);
+                [across, across, 0.5 * middle * r * r + 0.4 * balls * r * r]
+            }
+        }
+    }
+
+    fn validate(&self) -> Result<()> {
+        match self {
+            Shape::Sphere { radius } => positive("radius", *radius),
+            Shape::Box { half_extents } => half_extents.iter().try_for_each(|extent| positive("half_extents", *extent)),
+            Shape::Capsule { radius, half_height } | Shape::Cylinder { radius, half_height } => {
+                positive("radius", *radius)?;
+                positive("half_height", *half_height)
+            }
         }
     }
 }
 
 /// m/3 (b² + c², a² + c², a² + b²) of a solid box with half extents a, b, c \[kg·m²\].
-pub(crate) fn box_moments(mass: f64, [a, b, c]: [f64; 3]) -> [f64; 3] {
+fn box_moments(mass: f64, [a, b, c]: [f64; 3]) -> [f64; 3] {
     [b * b + c * c, a * a + c * c, a * a + b * b].map(|sum| mass * sum / 3.0)
 }
 
@@ -51,22 +119,25 @@ impl SpatialBody {
     pub fn new(name: impl Into<String>, shape: Shape, mass: f64, moments: [f64; 3]) -> Result<Self> {
         positive("mass", mass)?;
         moments.into_iter().try_for_each(|moment| positive("inertia", moment))?;
-        match shape {
-            Shape::Sphere { radius } => positive("radius", radius)?,
-            Shape::Box { half_extents } => half_extents.into_iter().try_for_each(|extent| positive("half_extents", extent))?,
-        }
+        shape.validate()?;
         Ok(SpatialBody { name: name.into(), shape, mass, moments: moments.into() })
     }
 
-    /// A uniform body: J = ⅖ m r² (1, 1, 1) for a ball, m/3 (b² + c², a² + c², a² + b²) for a box.
+    /// A body that keeps its velocity whatever touches it: 1/m = 0 and J⁻¹ = 0.
+    ///
+    /// # Errors
+    /// [`moreau_exact::Error::Invalid`] if the radius or a half extent is not positive.
+    pub fn unmoved(name: impl Into<String>, shape: Shape) -> Result<Self> {
+        shape.validate()?;
+        Ok(SpatialBody { name: name.into(), shape, mass: f64::INFINITY, moments: Vector3::repeat(f64::INFINITY) })
+    }
+
+    /// A uniform body: J as [`Shape::solid_moments`].
     ///
     /// # Errors
     /// As [`SpatialBody::new`].
     pub fn solid(name: impl Into<String>, shape: Shape, mass: f64) -> Result<Self> {
-        let moments = match shape {
-            Shape::Sphere { radius } => [0.4 * mass * radius * radius; 3],
-            Shape::Box { half_extents } => box_moments(mass, half_extents),
-        };
+        let moments = shape.solid_moments(mass);
         SpatialBody::new(name, shape, mass, moments)
     }
 
@@ -80,12 +151,17 @@ impl SpatialBody {
         &self.shape
     }
 
-    /// m \[kg\].
+    /// Whether forces and impulses move it.
+    pub fn is_free(&self) -> bool {
+        self.mass.is_finite()
+    }
+
+    /// m \[kg\], infinite if nothing moves the body.
     pub fn mass(&self) -> f64 {
         self.mass
     }
 
-    /// J, principal moments about the body axes \[kg·m²\].
+    /// J, principal moments about the body axes \[kg·m²\], infinite if nothing moves the body.
     pub fn moments(&self) -> &Vector3<f64> {
         &self.moments
     }

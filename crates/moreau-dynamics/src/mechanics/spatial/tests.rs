@@ -23,7 +23,7 @@ pub(super) fn pair(first: SpatialBody, second: SpatialBody) -> SpatialBodies {
 }
 
 /// (x, y, z) and the rotation vector of each body as a configuration.
-fn configuration(places: &[[f64; 6]]) -> DVector<f64> {
+pub(super) fn configuration(places: &[[f64; 6]]) -> DVector<f64> {
     let part = |[x, y, z, a, b, c]: &[f64; 6]| {
         let turn = UnitQuaternion::from_scaled_axis(Vector3::new(*a, *b, *c));
         [*x, *y, *z, turn.w, turn.i, turn.j, turn.k]
@@ -32,7 +32,7 @@ fn configuration(places: &[[f64; 6]]) -> DVector<f64> {
 }
 
 /// The candidates between the bodies, without those of the ground.
-fn between(mechanism: &SpatialBodies, q: &DVector<f64>) -> Vec<Contact> {
+pub(super) fn between(mechanism: &SpatialBodies, q: &DVector<f64>) -> Vec<Contact> {
     let bodies = |contact: &Contact| contact.place.expect("bodies have places").bodies;
     mechanism.contacts(q).into_iter().filter(|contact| bodies(contact).1.is_some()).collect()
 }

@@ -42,7 +42,9 @@ pub const CHECKS: &[Check] = &[
         question: "Does the ball come to rest after infinitely many bounces, at the time that the theory gives?",
         derivation: "T∞ = t₁ (1+e)/(1−e). Event capturing may absorb the ball O(log 1/h) steps early and a bounded number of steps late, \
             both \
-                     proved for the rules A, B and D and θ from ½ to 1; the widest of these is allowed.",
+                     proved for the rules A, B and D and θ from ½ to 1; the widest of these is allowed. Where every step is a sample, the \
+                     number n of bounces is seen, and the ball is at most n ((1+e) Δ + 4) steps late, Δ the excess of a speed over the \
+                     exact one.",
         source: "chapter §0, the Zeno example",
         run: Run::EachStep(settling::zeno),
         control: Control { passes: "moreau-jean", fails: "ball/asleep-at-the-apex" },

@@ -10,6 +10,7 @@
 mod feet;
 mod laws;
 mod momentum;
+mod pairs;
 mod thrown;
 
 use crate::check::{Control, Expected, Run};
@@ -56,8 +57,10 @@ pub const CHECKS: &[Check] = &[
         level: Level::Simulate,
         question: "Does a contact without restitution ever do positive work on a sphere?",
         derivation: "The work of an impulse over its step is ½ pᵀ(u⁻ + u⁺), which is not positive without restitution. A contact that is \
-            found while the sphere still rises slower than g h may give ½ p_n g h. A compliant contact gives back the energy that it has \
-            stored, so that its sum since the start is checked.",
+            found while the sphere still rises at u < g h takes p_n = m (g h − u), and may give ½ p_n u ≤ m g² h²/8. A compliant contact \
+            gives back the energy that it has stored, so that its sum since the start is checked. The work of friction alone is never \
+            positive, or its sum is not with a declared spring along the floor: it opposes the slip after the step. The sphere slips until \
+            the end.",
         source: "ΔT = ½ pᵀ(u⁻ + u⁺), exact for one step",
         run: Run::EachStep(laws::increment),
         control: Control { passes: "moreau-jean", fails: "contact/friction-along-slip" },
@@ -69,10 +72,22 @@ pub const CHECKS: &[Check] = &[
         derivation: "m Δv = m g Δt + p in every interval, and J Δω = ℓ × p with the lever ℓ of the contact point. For a sphere ℓ = −(R + \
             φ) n. Its gap or depth φ is that at the start or at the end of the step, wherever the engine looks for contacts. For a box \
             that lands on an edge, ℓ leads to the middle of the edge. It is known up to the depth and the turn of the box in the step. \
-            The differences are relative to the impulses of the interval.",
+            The differences are relative to the impulses of the interval. Declared damping takes c m Δx and c_ω J ω h.",
         source: "Newton–Euler; protocol: impulses summed over the interval that ends at the sample",
         run: Run::EachStep(momentum::momentum),
         control: Control { passes: "moreau-jean", fails: "contact/late" },
+    },
+    Check {
+        name: "contact/pairs",
+        level: Level::Simulate,
+        question: "Do the impulses reported between two bodies account for the motion of both, also over several steps?",
+        derivation: "m Δv = m g Δt + Σ p for both bodies of a pair, with p on the one named first and −p on the other, summed over all \
+            steps since the sample before. A ball slides on a plate that lies on the floor, and two spheres meet; every step and every \
+            seventh is sampled. The difference is relative to Σ‖p‖ + m g Δt. Declared damping takes at most m c Δt (v + g Δt). No impulse \
+            pulls along the normal that is reported with it, which points to the body named first.",
+        source: "Newton's second and third law; protocol: impulses summed over the interval that ends at the sample",
+        run: Run::EachStep(pairs::pairs),
+        control: Control { passes: "moreau-jean", fails: "contact/last-step-reported" },
     },
 ];
 

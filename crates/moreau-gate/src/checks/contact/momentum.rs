@@ -1,8 +1,9 @@
 //! Whether the reported impulses are those that moved the body.
 
-use crate::checks::contact::thrown::{FRICTION, RADIUS, Thrown, motion, thrown_sphere};
+use crate::checks::contact::thrown::{ALONG, DOWN, FRICTION, RADIUS, Thrown, motion, thrown_sphere};
 use crate::checks::motion::Sample;
 use crate::checks::scenery::{GRAVITY, cuboid, over_floor, worst};
+use crate::model::Model;
 use crate::tolerance::contact as tolerance;
 use crate::{Bench, Expectation, Measurement, Reply};
 use nalgebra::Vector3;
@@ -13,16 +14,18 @@ pub(super) fn momentum(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let sphere = thrown_sphere(bench, h)?;
     let inertia = 0.4 * RADIUS * RADIUS;
     let (mut linear, mut angular, mut offset) = (0.0, 0.0, 0.0);
+    let rates = Model::of(bench.description()).damping().unwrap_or_default();
     for k in 1..sphere.states.len() {
         let impulse = sphere.impulse(k);
-        linear = worst(unaccounted(&sphere, k, h), linear);
+        linear = worst(unaccounted(&sphere, k, h, rates.0), linear);
         let size = RADIUS * scale(&sphere, k, h);
-        let change = (sphere.states[k].spin - sphere.states[k - 1].spin) * (inertia * sphere.mass);
+        let [before, after] = [k - 1, k].map(|k| sphere.states[k].spin);
+        let change = (after - before + (after + before) * (0.5 * rates.1 * h)) * (inertia * sphere.mass);
         let torque = Vector3::new(0.0, 0.0, -RADIUS).cross(&impulse);
         angular = worst((change - torque).norm() / size, angular);
         offset = worst(impulse.xy().norm() * sphere.gap(k - 1).abs().max(sphere.gap(k).abs()) / size, offset);
     }
-    let solved = tolerance::impulse();
+    let solved = tolerance::impulse() + damped(rates, h);
     let lever = Expectation::at_most(0.0, solved + offset, "J Δω = ℓ × p with the lever R + φ, φ the gap at either end of the step");
     let mut measurements = vec![
         Measurement::new("unaccounted momentum over impulse (sphere)", "1", linear, Expectation::at_most(0.0, solved, "m Δv = m g Δt + p")),
@@ -51,15 +54,17 @@ fn edge(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let inertia = landed.mass * (a * a + c * c) / 3.0;
     let (mut linear, mut angular, mut turned) = (0.0, 0.0, 0.0);
     let arm = a.hypot(c);
+    let rates = Model::of(bench.description()).damping().unwrap_or_default();
     for k in 1..landed.states.len() {
-        linear = worst(unaccounted(&landed, k, h), linear);
+        linear = worst(unaccounted(&landed, k, h, rates.0), linear);
         let [before, after] = [&landed.states[k - 1], &landed.states[k]];
         let torque = lever(before).cross(&landed.impulse(k)).y;
-        angular = worst(((after.spin.y - before.spin.y) * inertia - torque).abs() / (arm * scale(&landed, k, h)), angular);
+        let change = after.spin.y - before.spin.y + (after.spin.y + before.spin.y) * (0.5 * rates.1 * h);
+        angular = worst((change * inertia - torque).abs() / (arm * scale(&landed, k, h)), angular);
         let depth = [before, after].map(|state| -(state.position + lever(state)).z).into_iter().fold(0.0, f64::max);
         turned = worst(((lever(after) - lever(before)).norm() + depth) / arm, turned);
     }
-    let solved = tolerance::impulse();
+    let solved = tolerance::impulse() + damped(rates, h);
     // Declared corner spheres touch beside the edge, by at most their radius.
     let corners = bench.description().contact_model.number("corner_radius");
     let law = corners.map(|radius| Expectation::at_most(0.0, solved + turned + radius / arm, "corner spheres"));
@@ -77,9 +82,15 @@ fn lever(state: &Sample) -> Vector3<f64> {
     candidates.into_iter().fold(candidates[0], |lowest, one| if one.z < lowest.z { one } else { lowest })
 }
 
-/// ‖m Δv − m g h − p‖ of interval k over [`scale`].
-fn unaccounted(thrown: &Thrown, k: usize, h: f64) -> f64 {
-    let change = (thrown.states[k].velocity - thrown.states[k - 1].velocity) * thrown.mass;
+/// What declared damping may leave unaccounted; no speed here is larger than that of the thrown sphere, with the fall.
+fn damped((linear, angular): (f64, f64), h: f64) -> f64 {
+    tolerance::damped(linear.max(angular), ALONG + DOWN, GRAVITY, h)
+}
+
+/// ‖m Δv + m c Δx − m g h − p‖ of interval k over [`scale`], with the declared damping c.
+fn unaccounted(thrown: &Thrown, k: usize, h: f64, damping: f64) -> f64 {
+    let [before, after] = [k - 1, k].map(|k| &thrown.states[k]);
+    let change = (after.velocity - before.velocity + (after.position - before.position) * damping) * thrown.mass;
     let weight = Vector3::new(0.0, 0.0, -thrown.mass * GRAVITY * h);
     (change - weight - thrown.impulse(k)).norm() / scale(thrown, k, h)
 }

@@ -38,6 +38,15 @@ impl Thrown {
         self.states[k].velocity_at(Vector3::new(0.0, 0.0, -RADIUS))
     }
 
+    /// The largest angle \[rad\] between the slip of the sphere's lowest point and that of a point where the impulse of step k may act: on
+    /// the floor, at the gap or depth before the step or after it, or anywhere between.
+    pub fn slip_turned(&self, k: usize) -> f64 {
+        let slip = |lever: f64| self.states[k].velocity_at(Vector3::new(0.0, 0.0, -lever)).xy();
+        let own = slip(RADIUS);
+        let angle = |gap: f64| own.perp(&slip(RADIUS + gap)).abs().atan2(own.dot(&slip(RADIUS + gap)));
+        angle(self.gap(k - 1)).max(angle(self.gap(k)))
+    }
+
     /// Gap \[m\] of a sphere.
     pub fn gap(&self, k: usize) -> f64 {
         self.states[k].position.z - RADIUS

@@ -2,11 +2,13 @@
 
 use crate::checks::incline::scenes::{RADIUS, slope, slope_sphere};
 use crate::checks::motion::{CLEARANCE, Slope, samples, yields};
+use crate::checks::scenery::worst;
 use crate::model::Model;
 use crate::model::compression::LoadedPoint;
 use crate::model::normal::Normal;
 use crate::model::sliding::{hops, replayed};
 use crate::tolerance::incline as tolerance;
+use crate::tolerance::rest::drift;
 use crate::{Bench, Expectation, Measurement, Reply};
 use moreau_dynamics::scenes::Scene;
 use moreau_forms::sliding_contact::{SlidingContact, SlidingState};
@@ -15,37 +17,48 @@ pub(super) fn hop(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let (speed, duration) = (2.0, 0.1);
     let mut scene = slope_sphere("hop", 0.0, 0.3);
     scene.bodies[0].linear_velocity = [speed, 0.0, 0.0];
-    let highest = |gaps: &[f64]| gaps.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    measure(bench, h, &scene, duration, speed, "highest gap", highest)
+    measure(bench, h, &scene, duration, speed, ("highest gap", |gaps| gaps.iter().copied().fold(f64::NEG_INFINITY, worst)))
 }
 
 pub(super) fn gap(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let scene = slope_sphere("gap", 40f64.to_radians(), 0.2);
-    measure(bench, h, &scene, 0.5, 0.0, "gap at the end", |gaps| gaps.last().copied().unwrap_or(f64::NAN))
+    measure(bench, h, &scene, 0.5, 0.0, ("gap at the end", |gaps| gaps.last().copied().unwrap_or(f64::NAN)))
 }
 
-fn measure(
-    bench: &mut Bench,
-    h: f64,
-    scene: &Scene,
-    duration: f64,
-    slip: f64,
-    quantity: &str,
-    pick: impl Fn(&[f64]) -> f64,
-) -> Reply<Vec<Measurement>> {
+/// What is read from the gaps of all steps.
+type Pick = fn(&[f64]) -> f64;
+
+/// How far the sphere is lifted, by what is picked, and how deep it falls.
+fn measure(bench: &mut Bench, h: f64, scene: &Scene, duration: f64, slip: f64, (quantity, pick): (&str, Pick)) -> Reply<Vec<Measurement>> {
     let slope = slope(scene)?;
     let steps = (duration / h).round() as usize;
     let motion = bench.simulate(scene, h, steps, 1)?;
     let gaps: Vec<f64> = samples(&motion.bodies[0]).iter().map(|sample| slope.height(&sample.position) - RADIUS).collect();
     let start = SlidingState { gap: CLEARANCE, normal_velocity: 0.0, velocity: slip, surface: 0.0 };
-    let replay = contact(bench, scene, &slope, h).map(|contact| predicted(&contact, start, steps, slip, &pick));
-    let model = replay.or_else(|| bounds(bench, scene, &slope, h, slip + slope.pull * duration));
-    let ideal = Expectation::equal(0.0, CLEARANCE + tolerance::gap(slope.press, h), "friction does not lift");
-    Ok(vec![Measurement::new(quantity, "m", pick(&gaps), ideal).predicted(model)])
+    let one = |quantity: &str, pick: Pick, ideal: Expectation| {
+        let replay = contact(bench, scene, &slope, h).map(|contact| predicted(&contact, start, steps, slip, pick));
+        let model = replay.or_else(|| bounds(bench, scene, &slope, h, slip + slope.pull * duration));
+        Measurement::new(quantity, "m", pick(&gaps), ideal).predicted(model)
+    };
+    let above = Expectation::at_most(0.0, CLEARANCE + risen(&gaps, &slope, h, bench.epsilon()), "friction does not lift");
+    let below = Expectation::at_least(0.0, CLEARANCE + depth(&slope, h), "the floor carries");
+    let lowest: Pick = |gaps| -gaps.iter().map(|gap| -gap).fold(f64::NEG_INFINITY, worst);
+    Ok(vec![one(quantity, pick, above), one("lowest gap", lowest, below)])
+}
+
+/// Depth \[m\] at which a sound step may find the contact.
+fn depth(slope: &Slope, h: f64) -> f64 {
+    tolerance::found(slope.press, h)
+}
+
+/// How high \[m\] the sphere may rise by being pushed out of the depth that it was seen to reach; no depth, no rise.
+fn risen(gaps: &[f64], slope: &Slope, h: f64, epsilon: f64) -> f64 {
+    let seen = gaps.iter().map(|gap| -gap).fold(0.0, worst).min(depth(slope, h));
+    tolerance::risen(seen, slope.press, h) + drift(gaps.len(), RADIUS, slope.press, h, epsilon)
 }
 
 /// The value of the replayed motion; its allowance grows as two replays from neighbouring starts do.
-fn predicted(contact: &SlidingContact, start: SlidingState, steps: usize, speed: f64, pick: impl Fn(&[f64]) -> f64) -> Expectation {
+fn predicted(contact: &SlidingContact, start: SlidingState, steps: usize, speed: f64, pick: Pick) -> Expectation {
     let value = |start: SlidingState| {
         let gaps: Vec<f64> = contact.motion(start, steps).iter().map(|state| state.gap).collect();
         pick(&gaps)
@@ -81,7 +94,9 @@ fn bounds(bench: &Bench, scene: &Scene, slope: &Slope, h: f64, speed: f64) -> Op
         Model::Coulomb(_) => return None,
         _ => (-2.0 * normal.rest_depth(&model, scene.bodies[0].mass * slope.press)?, 0.0),
     };
-    let high = if hops(description) { (friction * speed).powi(2) / (2.0 * slope.press) + friction * speed * h } else { high };
-    let allowed = 0.5 * (high - low) + CLEARANCE + tolerance::gap(slope.press, h);
+    // a hop leaves the floor at μ times the slip, and is found where it falls in at that speed a step later
+    let hop = friction * speed;
+    let (low, high) = if hops(description) { (low - hop * h, hop * hop / (2.0 * slope.press) + hop * h) } else { (low, high) };
+    let allowed = 0.5 * (high - low) + CLEARANCE + depth(slope, h);
     Some(Expectation::equal(0.5 * (low + high), allowed, "between the declared depth and the top of a hop at μ‖u_t‖"))
 }

@@ -7,9 +7,9 @@
 //! ```
 
 mod hop;
-mod scenes;
-mod slide;
-mod stick;
+pub(super) mod scenes;
+pub(super) mod slide;
+pub(super) mod stick;
 
 use crate::check::{Control, Expected, Run};
 use crate::{Check, Level, Verdict};
@@ -57,7 +57,8 @@ pub const CHECKS: &[Check] = &[
         question: "Does a sphere that is set on the floor with a slip of 2 m/s stay on it?",
         derivation: "Friction has no vertical part, so that Coulomb's sphere stays. The associated law asks u_n ≥ μ‖u_t‖ − φ/h of a \
             contact. So a sphere that starts at φ = 0 jumps with v_n = μ (v − μ c g h)/(1 + μ² c), c = 7/2 (Anitescu). The jumps of SAP \
-            and MuJoCo are replayed step by step in closed form.",
+            and MuJoCo are replayed step by step in closed form. A step that pushes the sphere out of a depth δ in which it was seen lifts \
+            it by δ + (δ/h)²/2g, with δ ≤ 3/2 g h².",
         source: "chapter §5; closed_forms::sliding_contact",
         run: Run::EachStep(hop::hop),
         control: Control { passes: "moreau-jean", fails: "incline/undeclared-relaxation" },

@@ -7,7 +7,7 @@ use crate::{Bench, Refusal, Reply};
 use moreau_dynamics::scenes::{Ground, Scene};
 
 /// Inclination α \[rad\], 20°.
-pub(super) fn angle() -> f64 {
+pub(in crate::checks) fn angle() -> f64 {
     20f64.to_radians()
 }
 
@@ -32,19 +32,19 @@ pub(super) fn slope_sphere(name: &str, angle: f64, friction: f64) -> Scene {
 /// Radius of the sphere \[m\].
 pub(super) const RADIUS: f64 = 0.1;
 
-fn inclined(mut scene: Scene, angle: f64) -> Scene {
+pub(in crate::checks) fn inclined(mut scene: Scene, angle: f64) -> Scene {
     let (sine, cosine) = angle.sin_cos();
     scene.ground = Some(Ground { normal: [sine, 0.0, cosine], offset: 0.0 });
     scene
 }
 
 /// The plane of a scene of this family.
-pub(super) fn slope(scene: &Scene) -> Reply<Slope> {
+pub(in crate::checks) fn slope(scene: &Scene) -> Reply<Slope> {
     Slope::of(scene).ok_or_else(|| Refusal::errored("the scene has no plane"))
 }
 
 /// The box of a scene as its contacts hold it.
-pub(super) fn held(scene: &Scene, slope: &Slope, time_step: f64) -> HeldBox {
+pub(in crate::checks) fn held(scene: &Scene, slope: &Slope, time_step: f64) -> HeldBox {
     let block = &scene.bodies[0];
     HeldBox {
         time_step,

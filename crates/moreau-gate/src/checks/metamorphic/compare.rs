@@ -30,7 +30,13 @@ impl Differences {
         ];
         let measured = |(name, unit, value, allowed, law): (&str, &str, f64, f64, Option<f64>)| {
             let ideal = Expectation::equal(0.0, allowed, "the same motion");
-            let model = law.map(|bound| Expectation::at_most(bound, allowed, "the declared friction cone has preferred directions"));
+            let model = law.map(|bound| {
+                Expectation::at_most(
+                    bound,
+                    allowed,
+                    "the declared friction cone has preferred directions, or declared corrections open contacts",
+                )
+            });
             Measurement::new(format!("largest difference in {name}{words}"), unit, value, ideal).predicted(model)
         };
         rows.map(measured).into()

@@ -60,6 +60,10 @@ impl Transform {
             body.orientation = self.orientation(body.orientation);
             body.linear_velocity = (self.linear * Vector3::from(body.linear_velocity) + self.boost).into();
             body.angular_velocity = self.axial(body.angular_velocity);
+            if let Some(prescribed) = &mut body.prescribed {
+                prescribed.velocity = (self.linear * Vector3::from(prescribed.velocity) + self.boost).into();
+                prescribed.angular_velocity = self.axial(prescribed.angular_velocity);
+            }
         }
         image
     }

@@ -2,6 +2,7 @@
 
 use crate::checks::metamorphic::allowance::{SAMPLES, allowance};
 use crate::checks::metamorphic::compare::difference;
+use crate::checks::metamorphic::opened::opened;
 use crate::checks::metamorphic::scenes::{DURATION, slide};
 use crate::checks::scenery::schedule;
 use crate::description::OneOrMany;
@@ -30,7 +31,7 @@ pub(super) fn run(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     for (words, units) in OTHERS {
         let options = units.parameters(bench.description()).map_err(Refusal::Errored)?;
         let image = bench.simulate_with(&units.scene(&slide()), h * units.time, steps, every, &options)?;
-        measurements.extend(difference(&original, &units.undo(&image)).measured(words, allowance(), None));
+        measurements.extend(difference(&original, &units.undo(&image)).measured(words, allowance(), opened(bench, h)));
     }
     Ok(measurements)
 }
@@ -51,11 +52,24 @@ impl Units {
             if let Some(cuboid) = &mut body.cuboid {
                 cuboid.half_extents = cuboid.half_extents.map(|a| a * length);
             }
+            for lengths in [
+                body.capsule.as_mut().map(|c| [&mut c.radius, &mut c.half_height]),
+                body.cylinder.as_mut().map(|c| [&mut c.radius, &mut c.half_height]),
+            ]
+            .into_iter()
+            .flatten()
+            {
+                lengths.into_iter().for_each(|x| *x *= length);
+            }
             body.mass *= mass;
             body.inertia = body.inertia.map(|moments| moments.map(|moment| moment * mass * length * length));
             body.position = body.position.map(|x| x * length);
             body.linear_velocity = body.linear_velocity.map(|v| v * length / time);
             body.angular_velocity = body.angular_velocity.map(|w| w / time);
+            if let Some(prescribed) = &mut body.prescribed {
+                prescribed.velocity = prescribed.velocity.map(|v| v * length / time);
+                prescribed.angular_velocity = prescribed.angular_velocity.map(|w| w / time);
+            }
         }
         image
     }

@@ -69,8 +69,8 @@ fn declared(bench: &Bench, tumble: &Tumble, h: f64) -> Option<f64> {
     }
     let steps = (crate::tolerance::ball::LONGEST_CONTACT / h).ceil() as usize;
     let heaviest = Normal::spheres(&[(total, tumble.bodies[0].radius())], GRAVITY, FRICTION, bench.description().friction, h);
-    let states = heaviest.replay(&model, 0.0, -speed, steps)?;
-    Some(states.iter().map(|(gap, _)| -gap).fold(0.0, worst))
+    let replays = heaviest.replays(&model, 0.0, -speed, steps)?;
+    Some(replays.iter().flatten().map(|(gap, _)| -gap).fold(0.0, worst))
 }
 
 /// The depth \[m\] at which a declared spring carries the lying bodies, if a spring is declared.

@@ -13,8 +13,12 @@ mod energy;
 mod momentum;
 mod motion;
 mod overlap;
+mod parting;
 mod rest;
 mod scenes;
+
+pub(super) use energy::passive_rise;
+pub(super) use motion::Tumble;
 
 use crate::check::{Control, Expected, Run};
 use crate::{Check, Level};
@@ -40,7 +44,8 @@ pub const CHECKS: &[Check] = &[
         name: "tumbling/bouncing",
         level: Level::Simulate,
         question: "Does the energy of boxes that bounce with one restitution and without friction ever rise?",
-        derivation: "With y = u⁺ + e u⁻ and r·y = 0 the bound without restitution holds, times (1−e)/(1+e). Contacts below a declared \
+        derivation: "With y = u⁺ + e u⁻ and r·y = 0 the bound without restitution holds, times (1−e)/(1+e). Contacts that were opening \
+            and are pressed may be kept from closing again, u⁺ ≥ 0, which gives e/(1+e) Σ r u⁻ over them. Contacts below a declared \
             threshold have another e than the others. Newton's law with several e has no such theorem, so that the bound with friction \
             is used for them.",
         source: "Moreau's law with one e for all contacts dissipates; chapter §9",

@@ -45,13 +45,16 @@ fn unaccounted(bench: &mut Bench, throw: &Throw, h: f64) -> Reply<Measurement> {
     if !touched {
         return Err(Refusal::errored("the bodies fell on the floor and no impulse was reported"));
     }
+    let fastest = tumble.states.iter().flatten().map(|state| state.velocity.norm()).fold(0.0, worst);
     let mut largest = 0.0;
     for (k, bodies) in reported.iter().enumerate().skip(1) {
         for (body, (sum, size)) in bodies.iter().enumerate() {
             let scale = size + tumble.bodies[body].mass * GRAVITY * h;
-            largest = worst((tumble.impulse(body, k) - sum).norm() / scale, largest);
+            let found = tumble.impulse(body, k) - sum;
+            largest = worst(found.norm() / scale, largest);
         }
     }
-    let ideal = Expectation::at_most(0.0, tolerance::impulse(), "m Δv = m g h + Σ p, body by body");
+    let allowed = tolerance::impulse() + crate::tolerance::contact::damped(tumble.damping, fastest, GRAVITY, h);
+    let ideal = Expectation::at_most(0.0, allowed, "m Δv = m g h + Σ p, body by body, less the declared damping c m Δx");
     Ok(Measurement::new(format!("unaccounted momentum over impulse: {}", throw.words()), "1", largest, ideal))
 }

@@ -4,14 +4,16 @@ use crate::checks::motion::{Sample, samples};
 use crate::checks::scenery::{GRAVITY, worst};
 use crate::checks::tumbling::overlap::{Placed, overlap};
 use crate::checks::tumbling::scenes::Throw;
+use crate::model::Model;
 use crate::model::solid::box_moments;
 use crate::{Bench, Reply};
+use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::trajectory::ContactRecord;
 use nalgebra::Vector3;
 
 /// A body of the scene.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Solid {
+pub(in crate::checks) struct Solid {
     /// m \[kg\].
     pub mass: f64,
     /// Principal moments \[kg·m²\].
@@ -48,7 +50,7 @@ impl Solid {
 }
 
 /// The states of all bodies after 0, 1, … steps.
-pub(super) struct Tumble {
+pub(in crate::checks) struct Tumble {
     /// The bodies, from below.
     pub bodies: Vec<Solid>,
     /// States by step, then by body.
@@ -59,12 +61,18 @@ pub(super) struct Tumble {
     pub names: Vec<String>,
     /// h \[s\].
     pub h: f64,
+    /// Declared damping rate of the velocities \[1/s\].
+    pub damping: f64,
 }
 
 impl Tumble {
     /// The motion of a throw over about `duration` \[s\], every step of it.
-    pub fn of(bench: &mut Bench, throw: &Throw, friction: f64, h: f64, duration: f64) -> Reply<Self> {
-        let scene = throw.scene(friction);
+    pub(super) fn of(bench: &mut Bench, throw: &Throw, friction: f64, h: f64, duration: f64) -> Reply<Self> {
+        Tumble::of_scene(bench, throw.scene(friction), h, duration)
+    }
+
+    /// The motion of one or two boxes over about `duration` \[s\], every step of it.
+    pub fn of_scene(bench: &mut Bench, scene: Scene, h: f64, duration: f64) -> Reply<Self> {
         let steps = (duration / h).round() as usize;
         let motion = bench.simulate(&scene, h, steps, 1)?;
         let tracks: Vec<Vec<Sample>> = scene.bodies.iter().filter_map(|body| motion.body(&body.name)).map(samples).collect();
@@ -74,6 +82,7 @@ impl Tumble {
             contacts: motion.contacts,
             names: scene.bodies.into_iter().map(|body| body.name).collect(),
             h,
+            damping: Model::of(bench.description()).damping().map_or(0.0, |(linear, _)| linear),
         })
     }
 
@@ -92,10 +101,11 @@ impl Tumble {
         self.each(k).map(|(body, state)| body.mass * state.velocity.z).sum()
     }
 
-    /// The impulse \[N·s\] of all contacts on a body in step k, counted from 1: m Δv − m g h.
+    /// The impulse \[N·s\] of all contacts on a body in step k, counted from 1: m Δv − m g h + c m Δx, with the declared damping c \[1/s\].
     pub fn impulse(&self, body: usize, k: usize) -> Vector3<f64> {
-        let change = self.states[k][body].velocity - self.states[k - 1][body].velocity;
-        (change + Vector3::new(0.0, 0.0, GRAVITY * self.h)) * self.bodies[body].mass
+        let [before, after] = [k - 1, k].map(|k| &self.states[k][body]);
+        let damped = (after.position - before.position) * self.damping;
+        (after.velocity - before.velocity + damped + Vector3::new(0.0, 0.0, GRAVITY * self.h)) * self.bodies[body].mass
     }
 
     /// Bodies with their states after k steps.
@@ -104,7 +114,7 @@ impl Tumble {
     }
 
     /// The bodies where they are after k steps.
-    pub fn placed(&self, k: usize) -> Vec<Placed> {
+    pub(super) fn placed(&self, k: usize) -> Vec<Placed> {
         self.each(k).map(|(body, state)| Placed { state: *state, half: body.half }).collect()
     }
 

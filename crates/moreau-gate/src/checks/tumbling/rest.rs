@@ -4,8 +4,9 @@ use crate::checks::scenery::{GRAVITY, worst};
 use crate::checks::tumbling::depth;
 use crate::checks::tumbling::motion::Tumble;
 use crate::checks::tumbling::scenes::{FRICTION, Throw, Thrown};
+use crate::model::Model;
 use crate::tolerance::tumbling as tolerance;
-use crate::{Bench, Expectation, Measurement, Reply};
+use crate::{Bench, Expectation, Measurement, Refusal, Reply};
 
 /// Duration of the motion \[s\].
 const DURATION: f64 = 2.5;
@@ -20,6 +21,9 @@ const THROWS: [Throw; 3] = [
 
 /// `tumbling/rest`.
 pub(super) fn rest(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
+    if matches!(Model::of(bench.description()), Model::SpringDamper { damping: 0.0, .. }) {
+        return Err(Refusal::unsupported("the engine declares springs without a damper, on which nothing comes to rest"));
+    }
     let mut measurements = Vec::new();
     for throw in &THROWS {
         let tumble = Tumble::of(bench, throw, FRICTION, h, DURATION)?;

@@ -1,7 +1,7 @@
 //! Mistakes of friction, of the lever it acts at, and of what is reported about it.
 
 mod reports;
-mod world;
+pub(super) mod world;
 
 use crate::Engine;
 use crate::own::{OwnEngine, OwnScheme, by_name};

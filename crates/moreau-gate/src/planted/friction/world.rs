@@ -30,9 +30,9 @@ pub(super) fn full_extents(scene: &mut Scene) {
 struct Changed {
     inner: Box<dyn Mechanism>,
     /// Changes F of a state.
-    force: fn(&mut DVector<f64>, &DMatrix<f64>, &DVector<f64>),
-    /// Changes one contact.
-    contact: fn(&mut Contact),
+    force: Forces,
+    /// Changes the contacts.
+    contacts: fn(&mut [Contact]),
 }
 
 impl Mechanism for Changed {
@@ -62,16 +62,18 @@ impl Mechanism for Changed {
 
     fn contacts(&self, position: &DVector<f64>) -> Vec<Contact> {
         let mut contacts = self.inner.contacts(position);
-        contacts.iter_mut().for_each(self.contact);
+        (self.contacts)(&mut contacts);
         contacts
     }
 }
 
 type Start = (Box<dyn Mechanism>, State);
 
-fn changed(scene: &Scene, force: fn(&mut DVector<f64>, &DMatrix<f64>, &DVector<f64>), contact: fn(&mut Contact)) -> Result<Start> {
+type Forces = fn(&mut DVector<f64>, &DMatrix<f64>, &DVector<f64>);
+
+fn changed(scene: &Scene, force: Forces, contacts: fn(&mut [Contact])) -> Result<Start> {
     let (inner, start) = scene.spatial_mechanism()?;
-    Ok((Box::new(Changed { inner, force, contact }), start))
+    Ok((Box::new(Changed { inner, force, contacts }), start))
 }
 
 /// Rows 3 to 5 of each body's six velocities are its spin.
@@ -91,17 +93,34 @@ pub(super) fn damped_spin(scene: &Scene) -> Result<Start> {
 
 /// Tangential rows without lever.
 pub(super) fn friction_at_centre(scene: &Scene) -> Result<Start> {
-    let unlever = |contact: &mut Contact| {
-        let mut rows = contact.jacobian.to_dense();
-        for column in (0..rows.ncols()).filter(|&k| is_spin(k)) {
-            rows.view_mut((1, column), (rows.nrows() - 1, 1)).fill(0.0);
+    let unlever = |contacts: &mut [Contact]| {
+        for contact in contacts {
+            let mut rows = contact.jacobian.to_dense();
+            for column in (0..rows.ncols()).filter(|&k| is_spin(k)) {
+                rows.view_mut((1, column), (rows.nrows() - 1, 1)).fill(0.0);
+            }
+            contact.jacobian = rows.into();
         }
-        contact.jacobian = rows.into();
     };
     changed(scene, |_, _, _| {}, unlever)
 }
 
 /// Every gap is taken for 3 cm less.
 pub(super) fn thick_floor(scene: &Scene) -> Result<Start> {
-    changed(scene, |_, _, _| {}, |contact| contact.gap -= 0.03)
+    changed(scene, |_, _, _| {}, |contacts| contacts.iter_mut().for_each(|contact| contact.gap -= 0.03))
+}
+
+/// Only the first candidate of all ever touches.
+pub(in crate::planted) fn first_touches(scene: &Scene) -> Result<Start> {
+    changed(scene, |_, _, _| {}, |contacts| contacts.iter_mut().skip(1).for_each(|contact| contact.gap = f64::INFINITY))
+}
+
+/// e is that of the deepest contact, the first of several, and 0 of the others.
+pub(in crate::planted) fn first_bounces(scene: &Scene) -> Result<Start> {
+    let others = |contacts: &mut [Contact]| {
+        let deepest = contacts.iter().enumerate().min_by(|(_, one), (_, other)| one.gap.total_cmp(&other.gap)).map(|(index, _)| index);
+        let others = contacts.iter_mut().enumerate().filter(|(index, _)| Some(*index) != deepest);
+        others.for_each(|(_, contact)| contact.restitution = 0.0);
+    };
+    changed(scene, |_, _, _| {}, others)
 }

@@ -190,9 +190,18 @@ fn shape(body: &Body) -> SharedShape {
 
 fn rigid_body(body: &Body, settings: &Settings) -> RigidBody {
     let [w, x, y, z] = body.orientation.map(|x| x as Real);
-    let inertia = MassProperties::new(version::vector([0.0; 3]), body.mass as Real, version::vector(body.principal_moments()));
+    let pose = Pose::from_parts(version::vector(body.position), Rotation::from_xyzw(x, y, z, w).normalize());
+    if body.is_static {
+        return RigidBodyBuilder::fixed().pose(pose).build();
+    }
+    if let Some(prescribed) = &body.prescribed {
+        let moved = RigidBodyBuilder::kinematic_velocity_based().pose(pose);
+        return moved.linvel(version::vector(prescribed.velocity)).angvel(version::vector(prescribed.angular_velocity)).build();
+    }
+    let mass = body.mass.expect("the scene was checked");
+    let inertia = MassProperties::new(version::vector([0.0; 3]), mass as Real, version::vector(body.principal_moments(mass)));
     RigidBodyBuilder::dynamic()
-        .pose(Pose::from_parts(version::vector(body.position), Rotation::from_xyzw(x, y, z, w).normalize()))
+        .pose(pose)
         .linvel(version::vector(body.linear_velocity))
         .angvel(version::vector(body.angular_velocity))
         .additional_mass_properties(inertia)

@@ -1,0 +1,100 @@
+//! Tolerances of Newton's method on Fischer and Burmeister's equations, and of the proximal points around Newton's method.
+
+/// Most steps on Fischer and Burmeister's equations. A convex problem of 300 contacts takes some fifty.
+/// Set.
+pub const SMOOTHED_STEPS: usize = 200;
+
+/// Steps in which neither τ falls nor the certificate's residual is halved, after which the iteration has stalled. A line search that
+/// shortens every step to 2⁻⁵ halves ‖φ_τ‖ in about as many.
+/// Set.
+pub const SMOOTHED_PATIENCE: usize = 30;
+
+/// Lengths 1, ½, ¼, … of a step that are tried. Where 2⁻¹¹ is too long a larger η is tried.
+/// Set.
+pub const SMOOTHED_HALVINGS: i32 = 12;
+
+/// Part of τ at which ‖φ_τ‖ counts as small: a tenth keeps x and z near the path, from which the steps of the next τ are long.
+/// Set.
+pub const ON_PATH: f64 = 0.1;
+
+/// Part of τ that is left where ‖φ_τ‖ has just become small; less where it is smaller.
+/// Set.
+pub const SMOOTHING_FALLS: f64 = 0.5;
+
+/// Least part of τ that is left at once.
+/// Set.
+pub const SMOOTHING_LEAST_LEFT: f64 = 0.1;
+
+/// Part of the first τ below which it is zero: x ∘ z is τ², so that 10⁻⁹ leaves what is below the rounding of the first.
+/// Set.
+pub const LEAST_SMOOTHING: f64 = 1e-9;
+
+/// η of the first step, in units of the contact's own W, 2⁻¹⁶: the first of those of [`super::solvers::NONSMOOTH_PROXIMALS`].
+/// Set.
+pub const FIRST_SOFTNESS: f64 = 1.0 / 65_536.0;
+
+/// Part of η that is left after a whole step: six such steps take it from the first to the least.
+/// Set.
+pub const SOFTNESS_FALLS: f64 = 1.0 / 16.0;
+
+/// What η is multiplied with where no step lowers ‖φ_τ‖: seven such factors take it from the least to the largest.
+/// Set.
+pub const SOFTNESS_GROWS: f64 = 128.0;
+
+/// Least η, 2⁻⁴⁰, as of the last steps of [`super::solvers::NONSMOOTH_PROXIMALS`].
+/// Set.
+pub const LEAST_SOFTNESS: f64 = 1.0 / (1u64 << 40) as f64;
+
+/// Largest η that is tried: a contact then is much softer than the bodies, and the step little more than one of each contact by itself.
+/// Set.
+pub const MOST_SOFTNESS: f64 = 128.0;
+
+/// Most steps of Newton's method around all proximal points together.
+/// Set.
+pub const PROXIMAL_STEPS: usize = 2000;
+
+/// Most steps of Newton's method around one proximal point, after which a softer one is tried: from 10⁻² of a contact's own W on, those of
+/// walls and piles of 1 060 to 10 084 contacts that ended at all ended within as many.
+/// Set.
+pub const STEPS_AROUND: usize = 24;
+
+/// Steps around a point that count as few.
+/// Set.
+pub const FEW_STEPS_AROUND: usize = STEPS_AROUND / 2;
+
+/// Proximal points in a row that do not halve the certificate's residual after which the iteration has stalled.
+/// Set.
+pub const PROXIMAL_PATIENCE: usize = 30;
+
+/// α of the first proximal point, in units of the contact's own W: contacts are nearly as soft as the bodies.
+/// Set.
+pub const FIRST_PROXIMAL: f64 = 0.125;
+
+/// α of the first proximal point around what interior points have found.
+/// Set.
+pub const NEAR_PROXIMAL: f64 = 1.0 / 1024.0;
+
+/// What α is divided by after few steps, and multiplied with where they were too many.
+/// Set.
+pub const PROXIMAL_CHANGES: f64 = 4.0;
+
+/// Least α, 2⁻⁴⁰: below, it is less than the η of Newton's method itself.
+/// Set.
+pub const LEAST_PROXIMAL: f64 = LEAST_SOFTNESS;
+
+/// Largest α: a point then moves by a hundredth of the way that its contact by itself would go.
+/// Set.
+pub const MOST_PROXIMAL: f64 = MOST_SOFTNESS;
+
+/// Largest relative residual of the problem around a point that is left there, 2⁻¹⁰.
+/// Set.
+pub const LARGEST_LEFT: f64 = 1.0 / 1024.0;
+
+/// Part of the certificate's residual that is left in the problem around a point.
+/// Set.
+pub const PART_LEFT: f64 = 1.0 / 16.0;
+
+/// Most steps around proximal points within `auto`: of the 186 problems of the collection that they end, they end those that are easier
+/// for them than for sweeps in at most 42.
+/// Set.
+pub const STEPS_IN_AUTO: usize = 100;

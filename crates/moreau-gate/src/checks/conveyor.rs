@@ -1,0 +1,218 @@
+//! Bodies that are laid on a conveyor: a box with a prescribed velocity V under them.
+//!
+//! ```text
+//!     box        Σ p_t = μ Σ p_n  while it slips:   v − μ v_z = μ g t ,   until t = V/(μ g) ,   then v = V
+//!     sphere     from the belt it is thrown with −V:   it rolls after 2V/(7 μ g) ,   then v = 2/7 V
+//!     belt       x(t) = x₀ + V t ,   whatever touches it
+//! ```
+//! The momentum of the box holds for every sequence of normal impulses and every load of its corners: Σ p_n = m (g t + v_z).
+
+use crate::check::{Control, Expected, Run};
+use crate::checks::motion::{Sample, samples, start_gap};
+use crate::checks::rolling::{self, RADIUS};
+use crate::checks::scenery::{GRAVITY, cuboid, over_floor, sphere};
+use crate::description::Friction;
+use crate::model::Model;
+use crate::model::addition::Addition;
+use crate::model::sliding::full_slip;
+use crate::tolerance::conveyor as tolerance;
+use crate::{Bench, Check, Expectation, Level, Measurement, Reply};
+use moreau_contact::cones::polyhedral;
+use moreau_dynamics::scenes::{Body, Scene};
+use moreau_dynamics::trajectory::BodyTrack;
+use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
+
+/// V along x \[m/s\] under the box.
+const SPEED: f64 = 1.0;
+/// μ of box and belt.
+const FRICTION: f64 = 0.25;
+/// Half extents of the box \[m\]: low, so that friction loads its corners little differently.
+const LOAD: [f64; 3] = [0.4, 0.4, 0.1];
+/// Half extents of the belt \[m\]: longer than its way.
+const BELT: [f64; 3] = [6.0, 1.0, 0.5];
+/// Samples in the time to stick, at least, and at the end: also 1/√2 of the friction is enough until then.
+const FIFTHS: [usize; 2] = [3, 9];
+
+/// The checks of the family.
+pub const CHECKS: &[Check] = &[
+    Check {
+        name: "conveyor/box",
+        level: Level::Simulate,
+        question: "Is a box that is laid on a conveyor accelerated by μ g until it has the belt's velocity, and not longer?",
+        derivation: "All corners slip the same way, so that Σ p_t = μ Σ p_n, whatever each carries, and Σ p_n = m (g t + v_z): v − μ v_z = \
+            μ g t through every hop. The slip ends at t = V/(μ g); then no impulse is asked for and v = V. The belt has no mass to be \
+            changed by the impulses: its velocity is V, its place x₀ + V t. A pyramid has between μ/√2 and √2 μ, d directions μ cos(π/d) \
+            at least.",
+        source: "Newton and Coulomb; Filippov's sliding mode at the belt's velocity",
+        run: Run::EachStep(box_on_belt),
+        control: Control { passes: "moreau-jean", fails: "conveyor/contacts-see-no-motion" },
+    },
+    Check {
+        name: "conveyor/sphere",
+        level: Level::Simulate,
+        question: "Does a sphere that is laid on a conveyor roll with 2/7 of the belt's velocity after 2V/(7 μ g)?",
+        derivation: "In the frame of the belt the sphere is thrown with −V and no spin: rolling/five-sevenths, with its derivation and its \
+            allowances. So it rolls with −5/7 V there, 2/7 V here, after 2V/(7 μ g).",
+        source: "Galilei; Newton–Euler and Coulomb",
+        run: Run::EachStep(sphere_on_belt),
+        control: Control { passes: "moreau-jean", fails: "conveyor/contacts-see-no-motion" },
+    },
+];
+
+/// The derived verdicts that are not `pass`: none. The belt runs along a friction direction.
+pub const EXPECTED: &[Expected] = &[];
+
+/// A load over a belt whose upper face is the plane z = 0.
+fn laid(name: &str, load: Body, friction: f64, velocity: f64) -> Scene {
+    let belt = cuboid("belt", 1.0, BELT, [0.0, 0.0, -BELT[2]]).driven([velocity, 0.0, 0.0]);
+    Scene { ground: None, ..over_floor(name, vec![load, belt], friction) }
+}
+
+/// V/(μ g) \[s\].
+fn time_to_stick() -> f64 {
+    SPEED / (FRICTION * GRAVITY)
+}
+
+fn box_on_belt(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
+    bench.predicts(&[Addition::StaticFriction, Addition::TorsionalFriction]);
+    bench.without_damping()?;
+    let gap = start_gap(bench, h, (1.0, 4.0), GRAVITY, FRICTION, SPEED);
+    let scene = laid("box on a belt", cuboid("box", 1.0, LOAD, [0.0, 0.0, LOAD[2] + gap]), FRICTION, SPEED);
+    let fifth = (time_to_stick() / (5.0 * h)).round().max(1.0) as usize;
+    let motion = bench.simulate(&scene, h, FIFTHS[1] * fifth, 1)?;
+    let states = samples(&motion.bodies[0]);
+    let [sliding, end] = FIFTHS.map(|fifths| states[fifths * fifth]);
+    let time = (FIFTHS[0] * fifth) as f64 * h;
+    let full = FRICTION * GRAVITY;
+    let pulled = (sliding.velocity.x - FRICTION * sliding.velocity.z) / time;
+    let ideal = Expectation::equal(full, tolerance::pull(full), "μ g, for every load of the corners");
+    let law = pyramid(bench)
+        .map(|([low, high], why)| Expectation::equal(0.5 * (low + high) * full, 0.5 * (high - low) * full + tolerance::pull(full), why));
+    let stuck = Expectation::equal(SPEED, tolerance::speed(SPEED), "V, since V/(μ g) is over");
+    let slow = full_slip(bench.description(), full, h);
+    let creeping = (slow > 0.0).then(|| Expectation::equal(SPEED, slow + tolerance::speed(SPEED), "a slip too small for full friction"));
+    let mut measured = vec![
+        Measurement::new("(v − μ v_z)/t while it slips", "m/s^2", pulled, ideal).predicted(law),
+        sticking(bench, &states, h),
+        Measurement::new("velocity after 9/5 of the time to stick", "m/s", end.velocity.x, stuck).predicted(creeping),
+    ];
+    measured.extend(belt_as_prescribed(bench, &motion.bodies[1], SPEED, (states.len() - 1, h)));
+    Ok(measured)
+}
+
+/// Least and greatest μ of the declared cone along x, over μ.
+fn pyramid(bench: &Bench) -> Option<([f64; 2], &'static str)> {
+    match Model::of(bench.description()) {
+        Model::StewartTrinkle { directions } => {
+            Some(([1.0 - polyhedral::strength_error(directions), 1.0], "friction between μ cos(π/d) and μ"))
+        }
+        _ if bench.description().friction == Friction::Pyramid => Some(([FRAC_1_SQRT_2, SQRT_2], "a pyramid within or around the cone")),
+        _ => None,
+    }
+}
+
+/// The first sample at which the slip is gone, or too small for the declared law's full friction.
+fn sticking(bench: &Bench, states: &[Sample], h: f64) -> Measurement {
+    let rate = FRICTION * GRAVITY;
+    let full = full_slip(bench.description(), rate, h);
+    let found = states.iter().position(|state| SPEED - state.velocity.x <= full + tolerance::no_slip(rate, h));
+    let measured = found.map_or(f64::INFINITY, |k| k as f64 * h);
+    let transition = (SPEED - full) / rate;
+    let allowed = tolerance::transition(h);
+    // v = μ (g t + v_z): a body that rises when the slip ends has been accelerated for a time v_z/g less
+    let earlier = found.map_or(0.0, |k| states[k.saturating_sub(1)].velocity.z.max(states[k].velocity.z).max(0.0) / GRAVITY);
+    let [low, high] = pyramid(bench).map_or([1.0; 2], |(range, _)| range);
+    let (soonest, latest) = (transition / high - earlier, transition / low);
+    let why = "V/(μ g), less v_z/g of a hop, with the declared cone";
+    let law = (soonest != latest).then(|| Expectation::equal(0.5 * (soonest + latest), 0.5 * (latest - soonest) + allowed, why));
+    let ideal = Expectation::equal(transition, allowed, "V/(μ g), less the time of slips too small for full friction");
+    Measurement::new("time to stick", "s", measured, ideal).predicted(law)
+}
+
+/// The belt's velocity and place after so many steps of h.
+fn belt_as_prescribed(bench: &Bench, belt: &BodyTrack, velocity: f64, (steps, h): (usize, f64)) -> Vec<Measurement> {
+    let last = belt.position.len() - 1;
+    let way = velocity * steps as f64 * h;
+    let moved = belt.position[last][0] - belt.position[0][0];
+    let speed = Expectation::equal(velocity, tolerance::belt_speed(bench.epsilon(), velocity, way, h), "V is prescribed");
+    let place = Expectation::equal(way, tolerance::belt_way(bench.epsilon(), way, steps), "V t");
+    vec![
+        Measurement::new("velocity of the belt", "m/s", belt.linear_velocity[last][0], speed),
+        Measurement::new("way of the belt", "m", moved, place),
+    ]
+}
+
+fn sphere_on_belt(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
+    bench.predicts(&[Addition::StaticFriction, Addition::TorsionalFriction]);
+    bench.without_damping()?;
+    let gap = start_gap(bench, h, (1.0, 1.0), GRAVITY, rolling::FRICTION, rolling::SPEED);
+    let ball = sphere("ball", 1.0, RADIUS, [0.0, 0.0, RADIUS + gap]);
+    let scene = laid("sphere on a belt", ball, rolling::FRICTION, -rolling::SPEED);
+    let steps = rolling::steps_to_rolling(h);
+    let motion = bench.simulate(&scene, h, steps, 1)?;
+    let mut states = samples(&motion.bodies[0]);
+    states.iter_mut().for_each(|state| state.velocity.x += rolling::SPEED);
+    let mut measured = rolling::thrown_along(bench, &states, h);
+    measured.iter_mut().for_each(|one| one.quantity += ", seen from the belt");
+    measured.extend(belt_as_prescribed(bench, &motion.bodies[1], -rolling::SPEED, (steps, h)));
+    Ok(measured)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Verdict;
+    use crate::exact::judge;
+    use crate::runner::SWEEP;
+
+    /// The closed form with another friction, a box that ends with a part of the belt's velocity, and a belt that is braked.
+    fn verdicts(h: f64, friction: f64, carried: f64, braked: f64) -> Vec<Verdict> {
+        let measured = judge("conveyor/box", h, |scene, index, _, t| {
+            let body = &scene.bodies[index];
+            let [x, y, z] = body.position;
+            let (moved, velocity) = if body.is_free() {
+                let slipping = t.min(carried * SPEED / (friction * GRAVITY));
+                let velocity = friction * GRAVITY * slipping;
+                (0.5 * velocity * slipping + carried * SPEED * (t - slipping), velocity)
+            } else {
+                (SPEED * t - 0.5 * braked * t * t, SPEED - braked * t)
+            };
+            ([x + moved, y, z], [1.0, 0.0, 0.0, 0.0], [velocity, 0.0, 0.0], [0.0; 3])
+        });
+        measured.iter().map(Measurement::verdict).collect()
+    }
+
+    #[test]
+    fn the_closed_form_passes_and_other_friction_a_slower_load_and_a_belt_that_is_braked_fail() {
+        use Verdict::{Fail, Pass};
+        for h in SWEEP {
+            assert_eq!(verdicts(h, FRICTION, 1.0, 0.0), [Pass; 5], "{h}");
+            assert_eq!(verdicts(h, 1.02 * FRICTION, 1.0, 0.0)[0], Fail, "{h}");
+            assert_eq!(verdicts(h, FRICTION, 0.99, 0.0)[2], Fail, "{h}");
+            assert_eq!(verdicts(h, FRICTION, 1.0, 1e-6)[3..], [Fail; 2], "{h}");
+        }
+        assert_eq!(verdicts(SWEEP[SWEEP.len() / 2], 1.1 * FRICTION, 1.0, 0.0)[1], Fail, "it sticks too early");
+    }
+
+    #[test]
+    fn a_sphere_that_keeps_two_sevenths_passes_and_one_that_is_carried_along_fails() {
+        let rate = FRICTION_OF_SPHERE * GRAVITY;
+        const FRICTION_OF_SPHERE: f64 = rolling::FRICTION;
+        for h in SWEEP {
+            let verdict = |share: f64| {
+                let measured = judge("conveyor/sphere", h, |scene, index, _, t| {
+                    let [x, y, z] = scene.bodies[index].position;
+                    if !scene.bodies[index].is_free() {
+                        return ([x - rolling::SPEED * t, y, z], [1.0, 0.0, 0.0, 0.0], [-rolling::SPEED, 0.0, 0.0], [0.0; 3]);
+                    }
+                    let slipping = t.min(share * rolling::SPEED / rate);
+                    let spin = 2.5 * rate * slipping / RADIUS;
+                    let moved = 0.5 * rate * slipping * slipping + share * rolling::SPEED * (t - slipping);
+                    ([x - moved, y, z], [1.0, 0.0, 0.0, 0.0], [-rate * slipping, 0.0, 0.0], [0.0, spin, 0.0])
+                });
+                measured.iter().map(Measurement::verdict).max().expect("measurements")
+            };
+            assert_eq!((verdict(2.0 / 7.0), verdict(0.3)), (Verdict::Pass, Verdict::Fail), "{h}");
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! Stick and slide with μ within a fiftieth of the limit: a plate, and a ball, whose only contact shares its load with no other.
+//!
+//! ```text
+//!     plate    μ = tan α (1 ± 1/50)               rest, or v_t + μ v_n = g (sin α − μ cos α) t
+//!     ball     7/2 μ = tan α (1 − 1/50)           u = v − ωR :   u + 7/2 μ v_n = g (sin α − 7/2 μ cos α) t
+//! ```
+
+use crate::checks::incline::stick::either_side;
+use crate::checks::motion::{Sample, Slope, samples, start_gap};
+use crate::checks::scenery::{GRAVITY, over_floor, schedule, sphere};
+use crate::description::Friction;
+use crate::model::sliding::{SPHERE, hops};
+use crate::model::{Model, RigidLimits, damping};
+use crate::tolerance::{flight, incline, limits as tolerance};
+use crate::{Bench, Expectation, Measurement, Refusal, Reply};
+use moreau_contact::cones::polyhedral;
+use moreau_dynamics::scenes::{Ground, Scene};
+use nalgebra::Vector3;
+
+/// Distance of μ from the limit, relative: below the difference of static and kinetic friction that engines have had.
+const MARGIN: f64 = 1.0 / 50.0;
+/// So flat that the loads of its corners differ by c/a tan α = 0.9 %, less than [`MARGIN`].
+const PLATE: [f64; 3] = [0.4, 0.3, 0.01];
+/// Mass of the ball \[kg\].
+const MASS: f64 = 1.0;
+/// Radius of the ball \[m\]: large against the depth at which a step may leave it.
+const RADIUS: f64 = 1.0;
+/// Duration of its motion \[s\].
+const DURATION: f64 = 0.25;
+
+pub(super) fn stick(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
+    let mut measured = either_side(bench, h, MARGIN, PLATE)?;
+    measured.push(ball(bench, h)?);
+    Ok(measured)
+}
+
+/// A ball on a slope of 20°, with too little friction to roll.
+fn slipping(bench: &Bench, h: f64) -> Scene {
+    let (sine, cosine) = 20f64.to_radians().sin_cos();
+    let friction = (1.0 - MARGIN) * sine / cosine / SPHERE;
+    let height = RADIUS + start_gap(bench, h, (MASS, 1.0), GRAVITY * cosine, friction, 0.0);
+    let ball = sphere("ball", MASS, RADIUS, [height * sine, 0.0, height * cosine]);
+    let ground = Some(Ground { normal: [sine, 0.0, cosine], offset: 0.0 });
+    Scene { ground, ..over_floor("ball about to roll", vec![ball], friction) }
+}
+
+fn ball(bench: &mut Bench, h: f64) -> Reply<Measurement> {
+    let scene = slipping(bench, h);
+    let slope = Slope::of(&scene).ok_or_else(|| Refusal::errored("the scene has no plane"))?;
+    let (steps, every) = schedule(DURATION, 8, h);
+    let states = samples(&bench.simulate(&scene, h, steps, every)?.bodies[0]);
+    let (end, time) = (states[states.len() - 1], steps as f64 * h);
+    let full = SPHERE * scene.material.friction * slope.press;
+    let slip = slip(&end, &slope) + SPHERE * scene.material.friction * end.velocity.dot(&slope.normal);
+    let depth = states.iter().map(|state| (RADIUS - slope.height(&state.position)).abs()).fold(0.0, f64::max);
+    let error = incline::momentum(slope.press) + tolerance::lever(full, depth, RADIUS);
+    let exact = slope.pull - full;
+    let ideal = Expectation::equal(exact, error, "g (sin α − 7/2 μ cos α), whatever the normal impulses");
+    let law = law(bench, [slope.pull, full], h, time).map(|law| Expectation { tolerance: law.tolerance + error, ..law });
+    Ok(Measurement::new("(u + 7/2 μ v_n)/T of a ball with 7/2 μ below tan α", "m/s^2", slip / time, ideal).predicted(law))
+}
+
+/// Velocity of the ball's lowest point down the slope \[m/s\].
+fn slip(state: &Sample, slope: &Slope) -> f64 {
+    let lever: Vector3<f64> = slope.normal * -RADIUS;
+    state.velocity_at(lever).dot(&slope.down)
+}
+
+/// (u + 7/2 μ v_n)/T \[m/s²\] under the declared law, where it is not g sin α − 7/2 μ g cos α = `pull` − `full`.
+fn law(bench: &Bench, [pull, full]: [f64; 2], h: f64, time: f64) -> Option<Expectation> {
+    let exact = pull - full;
+    let between = |low: f64, high: f64, why: &str| Expectation::equal(0.5 * (low + high), 0.5 * (high - low), why);
+    match Model::of(bench.description()) {
+        _ if hops(bench.description()) => {
+            Some(Expectation::at_least(exact, 0.0, "friction up to μ p_n: a landing may stop the slip with less"))
+        }
+        Model::Coulomb(limits) if limits.linear_damping + limits.angular_damping + limits.error_reduction > 0.0 => {
+            let (value, error) = damped(&limits, [pull, full], h, time);
+            // A push out of the slope is a normal impulse, whose friction may be more than what is left of the slip: it stops with less.
+            let pushed = limits.error_reduction * full * h / time;
+            let why = "g (sin α − 7/2 μ cos α) under the declared damping and error reduction";
+            Some(between(value - error, value + error + pushed, why))
+        }
+        Model::StewartTrinkle { directions } => {
+            Some(between(exact, exact + full * polyhedral::strength_error(directions), "friction between μ cos(π/d) and μ"))
+        }
+        Model::DrakeRegularised { stiction_tolerance, .. } => {
+            let late = full * h / time + incline::unsaturated(full, stiction_tolerance, exact, time);
+            Some(between(exact, exact + late, "friction saturates at most this much too late"))
+        }
+        Model::SpringDamper { stiffness, .. } => {
+            // Friction grows with the spring along the slope, as stiff as that across it: x'' = pull − 7/2 k x/m lacks pull/ω of it.
+            let late = pull / (SPHERE * stiffness / MASS).sqrt() / time;
+            Some(between(exact, exact + late, "friction of a spring that is loaded first"))
+        }
+        _ if bench.description().friction == Friction::Pyramid => Some(between(0.0, exact, "a pyramid around the cone may hold the ball")),
+        _ => None,
+    }
+}
+
+/// Mean u̇ of v̇ = `pull` − 2/7 `full` − c v and (ωR)˙ = 5/7 `full` − c' ωR, with its error of first order. The slip u is concave in time
+/// where damping slows the ball, so that it has ended, and the ball sticks, where this mean would be negative.
+fn damped(limits: &RigidLimits, [pull, full]: [f64; 2], h: f64, time: f64) -> (f64, f64) {
+    let driven = |rate: f64, acceleration: f64| {
+        let (_, velocity) = damping::flight(rate, &Vector3::new(acceleration, 0.0, 0.0), &Vector3::zeros(), time);
+        (velocity.x, flight::damped_velocity(rate, acceleration, acceleration * time, time, h))
+    };
+    let (moved, off) = driven(limits.linear_damping, pull - full / SPHERE);
+    let (turned, turned_off) = driven(limits.angular_damping, full - full / SPHERE);
+    (((moved - turned) / time).max(0.0), (off + turned_off) / time)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Verdict;
+    use crate::exact::judge;
+    use crate::runner::SWEEP;
+
+    #[test]
+    fn a_ball_whose_slip_the_declared_damping_ends_sticks() {
+        let slowed = |rate: f64| damped(&RigidLimits { linear_damping: rate, ..Default::default() }, [3.355, 3.288], 1e-3, 0.5).0;
+        assert!(slowed(0.01) > 0.0 && slowed(0.01) < 0.067, "slower, and still slipping");
+        assert_eq!(slowed(1.0), 0.0);
+    }
+
+    /// The verdict on the ball whose friction is `factor` of what it should be.
+    fn verdict(h: f64, factor: f64) -> Verdict {
+        let measured = judge("limits/stick", h, |scene, _, _, t| {
+            let slope = Slope::of(scene).expect("a plane");
+            let body = &scene.bodies[0];
+            let friction = factor * scene.material.friction * slope.press;
+            let start = Vector3::from(body.position);
+            let velocity = slope.down * ((slope.pull - friction) * t);
+            let place = start + slope.down * (0.5 * (slope.pull - friction) * t * t);
+            let spin = slope.side * (2.5 * friction / RADIUS * t);
+            (place.into(), body.orientation, velocity.into(), spin.into())
+        });
+        measured[2].verdict()
+    }
+
+    #[test]
+    fn a_ball_that_slips_as_it_should_passes_and_one_with_a_hundredth_more_friction_or_that_rolls_fails() {
+        for h in SWEEP {
+            assert_eq!(verdict(h, 1.0), Verdict::Pass, "{h}");
+            for factor in [0.99, 1.01, 1.0 / (1.0 - MARGIN)] {
+                assert_eq!(verdict(h, factor), Verdict::Fail, "{factor} at {h}");
+            }
+        }
+    }
+}

@@ -1,0 +1,8 @@
+//! Allowances of [`crate::checks::limits`].
+
+/// Error \[m/s²\] of the slip of a solid sphere by the depth δ of its contact. Friction turns it with the lever R − δ: 5/7 of the
+/// deceleration of the slip, `full`, is off by δ/R.
+/// Derived.
+pub fn lever(full: f64, depth: f64, radius: f64) -> f64 {
+    5.0 / 7.0 * full * depth / radius
+}

@@ -1,0 +1,56 @@
+//! A solver that knows whether it was asked: some schemes have an iteration of their own.
+
+use crate::Result;
+use crate::problem::{ContactProblem, Law, Solution};
+use crate::solvers::ContactSolver;
+use nalgebra::DVector;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// The same solver, with a note of being asked.
+pub struct Asked<'a> {
+    solver: &'a dyn ContactSolver,
+    asked: AtomicBool,
+}
+
+impl<'a> Asked<'a> {
+    /// Nobody has asked it yet.
+    pub fn new(solver: &'a dyn ContactSolver) -> Self {
+        Asked { solver, asked: AtomicBool::new(false) }
+    }
+
+    /// Whether a step has asked it.
+    pub fn was_asked(&self) -> bool {
+        self.asked.load(Ordering::Relaxed)
+    }
+}
+
+impl ContactSolver for Asked<'_> {
+    fn name(&self) -> &'static str {
+        self.solver.name()
+    }
+
+    fn is_truncated(&self) -> bool {
+        self.solver.is_truncated()
+    }
+
+    fn with_tolerance(&self, relative: f64) -> Option<Box<dyn ContactSolver>> {
+        self.solver.with_tolerance(relative)
+    }
+
+    fn iteration_limit(&self) -> Option<usize> {
+        self.solver.iteration_limit()
+    }
+
+    fn takes_start(&self) -> bool {
+        self.solver.takes_start()
+    }
+
+    fn takes(&self, law: Law, rows: usize, symmetric: bool) -> bool {
+        self.solver.takes(law, rows, symmetric)
+    }
+
+    fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+        self.asked.store(true, Ordering::Relaxed);
+        self.solver.solve(problem, warm_start)
+    }
+}
