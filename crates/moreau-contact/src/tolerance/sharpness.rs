@@ -22,11 +22,11 @@ pub const MANY: f64 = 100.0 * FEW;
 
 /// How much wider than the distance from the solution a radius may be, relative to ‖r‖ ‖W‖: the box is at most 2¹² times what Newton's last
 /// correction leaves, which is rounding.
-/// Required.
+/// Required: of every radius that is proved, by the tests of the proofs.
 pub const EXCESS: f64 = 1e-9;
 
 /// Accuracy at which the certificate must take every answer that is counted as a solution.
-/// Required.
+/// Required: of every answer that counts as a solution, by the tests of the proofs.
 pub const COUNTED: f64 = 1e-9;
 
 /// By how much answers are moved: not at all, within rounding, within what a solver leaves.
