@@ -62,6 +62,15 @@ Examples:
   moreau certify lcp.json --prove                        how many solutions a linear complementarity problem has
   moreau certify collected.hdf5                          an FCLIB file and the solution stored in it
 
+A problem and a solution of it, as `moreau new problem` writes the first and `moreau new solution` the form of the second:
+  {\"schema\": \"contact-problem/1\", \"name\": \"block\", \"dimension\": 3, \"law\": \"coulomb\",
+   \"friction\": [0.5], \"free_velocity\": [-1, 2, 0],
+   \"delassus\": {\"shape\": [3, 3], \"rows\": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}}
+  {\"schema\": \"solution/1\", \"problem\": \"block\", \"solver\": \"by hand\",
+   \"impulse\": [1, -0.5, 0], \"velocity\": [0, 1.5, 0]}
+`impulse` is r [N·s], of every contact the normal entry first; `velocity` is u = W r + u_free [m/s] and may be left
+out; so may `problem` and `solver`. Every field: docs/formats.md, `moreau schema solution`.
+
 Exit code 0: a solution, or one is proved to exist; 1: not a solution, or none is proved to exist;
 2: the files cannot be read or do not fit each other.";
 

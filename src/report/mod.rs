@@ -4,6 +4,7 @@ pub mod bench;
 mod bound;
 pub mod certificate;
 pub mod comparison;
+pub mod deepest;
 pub mod explanation;
 mod findings;
 pub mod formats;

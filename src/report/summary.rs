@@ -21,6 +21,9 @@ pub struct MotionSummary<'a> {
     pub closed_form: Option<&'static str>,
     /// Penetration, energy, restitution and whatever else is defined for it.
     pub quantities: Vec<Quantity>,
+    /// What is unusual about the motion, such as a penetration that is deep for the size of the body; absent where nothing is.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub remarks: Vec<String>,
     /// What the certificate says of the steps.
     pub steps: StepSummary,
 }

@@ -6,6 +6,7 @@ pub mod junit;
 pub mod page;
 mod plot;
 pub mod scoreboard;
+pub mod terminal;
 pub mod text;
 
 use crate::{CheckOutcome, Measurement, Report, StepOutcome, Verdict};

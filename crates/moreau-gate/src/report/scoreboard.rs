@@ -26,7 +26,7 @@ fn mark(verdict: Verdict) -> &'static str {
 }
 
 /// The families of the registry, in its order.
-fn families() -> Vec<&'static str> {
+pub(super) fn families() -> Vec<&'static str> {
     let mut families: Vec<&str> = Vec::new();
     for family in checks::all().map(|check| check.family()) {
         if !families.contains(&family) {
@@ -63,7 +63,7 @@ fn markdown(standings: &[Standing], causes: &[Cause]) -> String {
 }
 
 /// `solver 3, collision 1`.
-fn counted(engine: &str, report: &Report, causes: &[Cause]) -> String {
+pub(super) fn counted(engine: &str, report: &Report, causes: &[Cause]) -> String {
     let bad = report.checks.iter().filter(|outcome| outcome.verdict.is_bad());
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     for outcome in bad {
@@ -74,7 +74,7 @@ fn counted(engine: &str, report: &Report, causes: &[Cause]) -> String {
 }
 
 /// The marks of a family's checks.
-fn marks(report: &Report, family: &str) -> String {
+pub(super) fn marks(report: &Report, family: &str) -> String {
     let of_family = |outcome: &&CheckOutcome| outcome.check.split('/').next() == Some(family);
     report.checks.iter().filter(of_family).map(|outcome| mark(outcome.verdict)).collect()
 }
