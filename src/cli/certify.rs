@@ -2,7 +2,7 @@
 
 use super::kind::{Kind, is_lcp, read_problem};
 use super::limits::{CommonOptions, check_tolerance, default_tolerance};
-use super::output::print;
+use super::output::{print, style};
 use super::remarks::remark;
 use super::residual_names::RESIDUALS;
 use super::{Answer, Format, posed, progress};
@@ -95,7 +95,7 @@ fn judged(arguments: &Arguments, posed: &Posed) -> Result<(String, bool)> {
     let lcp = arguments.prove.then(|| lcp_of(problem)).flatten();
     if let (Some(lcp), None) = (&lcp, &arguments.solution) {
         let counted = Counted::new(problem.name(), lcp, &counted(problem, lcp, None)?);
-        let text = if arguments.common.format == Format::Json { pretty(&counted)? } else { counted.text() };
+        let text = if arguments.common.format == Format::Json { pretty(&counted)? } else { style().fitted(&counted.text()) };
         return Ok((text, counted.is_solvable()));
     }
     let (file, solution) = read_answer(arguments, posed)?;
@@ -150,7 +150,7 @@ fn jointed(arguments: &Arguments, posed: &Posed) -> Result<(String, bool)> {
 
 fn show(certificate: &Certificate, format: Format) -> Result<(String, bool)> {
     let text = match format {
-        Format::Text => certificate.text(),
+        Format::Text => style().fitted(&certificate.text()),
         Format::Json => pretty(certificate)?,
     };
     Ok((text, certificate.accepts()))

@@ -75,9 +75,6 @@ Examples:
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     end_engines_on_interrupt()?;
     let checks = chosen(arguments)?;
-    if let Some(file) = &arguments.readme {
-        section::replaced(file, MARKERS, "")?; // a file without the markers is refused before the engines run
-    }
     let (mut standings, causes) = if arguments.is_elsewhere() { arguments.embedded()? } else { arguments.judged(&checks)? };
     for misfit in cause::misfits(&causes, &standings) {
         print_aside(&format!("{misfit}\n"));
@@ -95,7 +92,7 @@ impl Arguments {
 
     fn embedded(&self) -> Result<(Vec<Standing>, Vec<Cause>)> {
         let (standings, causes) = board::stored()?;
-        self.require_some(standings.iter().map(|standing| standing.entry.name.as_str()))?;
+        self.require(standings.iter().map(|standing| standing.entry.name.as_str()))?;
         Ok((standings, causes))
     }
 
@@ -103,11 +100,13 @@ impl Arguments {
         self.only.is_empty() || self.only.iter().any(|part| name.contains(part.as_str()))
     }
 
-    fn require_some<'a>(&self, names: impl Iterator<Item = &'a str> + Clone) -> Result<()> {
-        if names.clone().any(|name| self.selects(name)) {
-            return Ok(());
+    /// Refuses, before an engine runs, a selection of none and a file without the markers.
+    fn require<'a>(&self, names: impl Iterator<Item = &'a str> + Clone) -> Result<()> {
+        if !names.clone().any(|name| self.selects(name)) {
+            let cure = format!("name one of {}", names.collect::<Vec<_>>().join(", "));
+            return Err(Error::invalid("--only", "selects no engine", cure));
         }
-        Err(Error::invalid("--only", "selects no engine", format!("name one of {}", names.collect::<Vec<_>>().join(", "))))
+        self.readme.as_ref().map_or(Ok(()), |file| section::replaced(file, MARKERS, "").map(|_| ()))
     }
 
     /// The list of engines; without a checkout the cure is another one.
@@ -123,7 +122,7 @@ impl Arguments {
     /// What is stored and what is found now.
     fn judged(&self, checks: &[&'static Check]) -> Result<(Vec<Standing>, Vec<Cause>)> {
         let engines = self.engines()?;
-        self.require_some(engines.iter().map(|entry| entry.name.as_str()))?;
+        self.require(engines.iter().map(|entry| entry.name.as_str()))?;
         let folder = self.folder.as_deref().unwrap_or(Path::new(RESULTS));
         std::fs::create_dir_all(folder).map_err(|source| Error::Write { file: folder.into(), source })?;
         let causes = cause::read(&folder.join("causes"))?;

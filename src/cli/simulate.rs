@@ -5,7 +5,7 @@ use super::certificate_options::CertificateOptions;
 use super::dump_options::DumpOptions;
 use super::limits::CommonOptions;
 use super::number::seconds;
-use super::output::{keep_input, no_answer, print, print_aside, require_svg};
+use super::output::{keep_input, no_answer, print, print_aside, require_svg, style};
 use super::progress;
 use super::scene::{count_steps, find, for_scheme, positive};
 use super::scheme_options::SchemeOptions;
@@ -149,7 +149,7 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
         steps: StepSummary::of(&recording, mechanism),
     };
     print(&match arguments.common.format {
-        Format::Text => summary.text(),
+        Format::Text => summary.text(style()),
         Format::Json => pretty(&summary)?,
     })?;
     if arguments.common.format == Format::Text {
@@ -229,6 +229,10 @@ impl Arguments {
     }
 }
 
+/// What the list does not show.
+const EXPLAINED: &str = "`moreau systems` says what each scheme is and how closely it agrees with its engine, `moreau solve --help` which laws \
+                         a solver takes, `moreau verify --list --search NAME` what the chapter says of them.";
+
 fn solver_names() -> Vec<&'static str> {
     solvers::ALL.names().collect()
 }
@@ -243,6 +247,11 @@ fn list(format: Format) -> Result<()> {
         let described: Vec<_> = scenes.iter().map(entry).collect();
         return print(&pretty(&serde_json::json!({"scenes": described, "schemes": schemes::NAMES, "solvers": solver_names()}))?);
     }
-    let described: String = scenes.iter().map(|(name, description)| format!("  {name:16} {description}\n")).collect();
-    print(&format!("scenes\n{described}schemes\n  {}\nsolvers\n  {}\n", schemes::NAMES.join("\n  "), solver_names().join("\n  ")))
+    let style = style();
+    let line = |(name, description): &(String, String)| {
+        style.wrapped("  ", &" ".repeat(19), &format!("{name:16} {description}")) + "\n"
+    };
+    let described: String = scenes.iter().map(line).collect();
+    let (schemes, solvers) = (schemes::NAMES.join("\n  "), solver_names().join("\n  "));
+    print(&format!("scenes\n{described}schemes\n  {schemes}\nsolvers\n  {solvers}\n\n{}\n", style.wrapped("", "", EXPLAINED)))
 }

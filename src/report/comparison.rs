@@ -96,27 +96,28 @@ impl Comparison {
     pub fn text(&self, style: Style) -> String {
         let form = self.closed_form.as_deref().unwrap_or("none for this scene");
         let [h, duration] = [self.time_step, self.duration].map(significant);
-        let mut text = format!("scene {}, h = {h} s, {duration} s, solver {}\nclosed form: {form}\n\n", self.scene, self.solver);
+        let line = |text: String| style.wrapped("", "  ", &text) + "\n";
+        let mut text = line(format!("scene {}, h = {h} s, {duration} s, solver {}\nclosed form: {form}", self.scene, self.solver)) + "\n";
         let ran: Vec<_> = self.schemes.iter().filter(|scheme| scheme.unsupported.is_none()).collect();
-        let shown: Vec<usize> = (0..SHOWN.len()).filter(|&k| ran.iter().any(|scheme| scheme.quantities[k].value.is_some())).collect();
-        let mut rows = vec![heading(&shown)];
+        let columns: Vec<usize> = (0..SHOWN.len()).filter(|&k| ran.iter().any(|scheme| scheme.quantities[k].value.is_some())).collect();
+        let mut rows = vec![heading(&columns)];
         for scheme in &ran {
             let cell = |&k: &usize| {
                 let ComparedQuantity { value, unit, rounding, .. } = &scheme.quantities[k];
                 value.map_or("–".into(), |value| shown(value, unit, *rounding))
             };
-            rows.push([scheme.name.clone()].into_iter().chain(shown.iter().map(cell)).collect());
+            rows.push([scheme.name.clone()].into_iter().chain(columns.iter().map(cell)).collect());
         }
         if !ran.is_empty() {
             text += &in_parts(&rows, style.width).iter().map(|part| aligned(part)).collect::<Vec<_>>().join("\n");
         }
         for scheme in &ran {
             let steps = scheme.steps.as_ref().filter(|steps| steps.rejected + steps.unconverged > 0);
-            text += &steps.map(|steps| format!("{}: {}", scheme.name, steps.text())).unwrap_or_default();
+            text += &steps.map(|steps| line(format!("{}: {}", scheme.name, steps.text().trim_end()))).unwrap_or_default();
         }
         for scheme in &self.schemes {
             if let Some(reason) = &scheme.unsupported {
-                text += &(style.wrapped("", "  ", &format!("{}: unsupported: {reason}", scheme.name)) + "\n");
+                text += &line(format!("{}: unsupported: {reason}", scheme.name));
             }
         }
         text

@@ -2,6 +2,7 @@
 
 use super::motion::{Quantity, lines};
 use super::steps::StepSummary;
+use super::text::Style;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -30,16 +31,11 @@ pub struct MotionSummary<'a> {
 
 impl MotionSummary<'_> {
     /// For reading.
-    pub fn text(&self) -> String {
-        let note = self.note.map(|note| format!("note: {note}\n")).unwrap_or_default();
+    pub fn text(&self, style: Style) -> String {
         let form = self.closed_form.unwrap_or("none for this scene");
-        format!(
-            "scene {}\nscheme {}, solver {}\nclosed form: {form}\n{note}{}{}",
-            self.scene,
-            self.scheme,
-            self.solver,
-            lines(&self.quantities),
-            self.steps.text()
-        )
+        let head = [format!("scene {}", self.scene), format!("scheme {}, solver {}", self.scheme, self.solver), format!("closed form: {form}")];
+        let line = |text: String| style.wrapped("", "  ", &text) + "\n";
+        let head: String = head.into_iter().chain(self.note.map(|note| format!("note: {note}"))).map(line).collect();
+        head + &lines(&self.quantities) + &line(self.steps.text().trim_end().into())
     }
 }

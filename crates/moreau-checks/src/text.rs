@@ -1,5 +1,6 @@
 //! How text for a terminal is marked, and broken into lines.
 
+use textwrap::core::display_width;
 use textwrap::{Options, WordSplitter, fill};
 
 /// Whether to mark text with terminal colours, and where lines end.
@@ -55,6 +56,16 @@ impl Style {
         let options = Options::new(self.width.max(1)).initial_indent(first).subsequent_indent(next).break_words(false);
         fill(text, options.word_splitter(WordSplitter::NoHyphenation))
     }
+
+    /// Breaks the lines of a text that are wider than this at spaces; what follows stands four columns farther in. Other lines stay.
+    pub fn fitted(self, text: &str) -> String {
+        let fit = |line: &str| {
+            let body = line.trim_start();
+            let indent = &line[..line.len() - body.len()];
+            if display_width(line) <= self.width { line.into() } else { self.wrapped(indent, &format!("{indent}    "), body) }
+        };
+        text.lines().map(|line| fit(line) + "\n").collect()
+    }
 }
 
 /// A count with its word, in the plural unless it is one.
@@ -83,6 +94,13 @@ mod tests {
             assert_eq!(wrapped.matches("S4.copos-plus").count(), 9, "{wrapped}");
         }
         assert_eq!(Style { width: 4, ..Style::PLAIN }.wrapped("", "", "a\nb longword"), "a\nb\nlongword");
+    }
+
+    #[test]
+    fn only_lines_that_are_too_wide_are_broken() {
+        let text = "  name   1.5 m   at most 2 m\n  x   1\n\n";
+        assert_eq!(Style { width: 40, ..Style::PLAIN }.fitted(text), text);
+        assert_eq!(Style { width: 20, ..Style::PLAIN }.fitted(text), "  name   1.5 m   at\n      most 2 m\n  x   1\n\n");
     }
 
     #[test]
