@@ -24,7 +24,8 @@ mod tests {
     fn every_claim_has_a_short_title_of_its_own_and_no_other_id_has_one() {
         let ids: BTreeSet<&str> = all().map(|claim| claim.id).collect();
         assert_eq!(TITLES.keys().map(String::as_str).collect::<BTreeSet<_>>(), ids);
-        let long: Vec<_> = TITLES.values().filter(|title| !(4..=LONGEST).contains(&title.chars().count()) || title.ends_with('.')).collect();
+        let long: Vec<_> =
+            TITLES.values().filter(|title| !(4..=LONGEST).contains(&title.chars().count()) || title.ends_with('.')).collect();
         assert_eq!(long, Vec::<&String>::new());
         let mut seen = BTreeSet::new();
         let twice: Vec<_> = TITLES.values().filter(|title| !seen.insert(*title)).collect();

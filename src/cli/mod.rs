@@ -67,7 +67,7 @@ What do you want to do?
     moreau verify --list --search zeno            the claims that speak of it
     moreau verify --explain S4.copos-plus         one claim: witness, corrected theorem, sources
   Solve a contact problem, or know whether an answer is one
-    moreau new problem --out problem.json         a file to begin with; so has `new solution`, `scene`, `engine`
+    moreau new problem --out problem.json         a file to begin with
     moreau solve problem.json --out answer.json
     moreau certify problem.json answer.json       residuals with units: is it a solution?
   See how a scene moves under a scheme, and under others beside it

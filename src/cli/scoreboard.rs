@@ -113,7 +113,8 @@ impl Arguments {
     fn engines(&self) -> Result<Vec<Entry>> {
         let file = self.engines.as_deref().unwrap_or(Path::new(ENGINES));
         if self.engines.is_none() && !file.is_file() {
-            let cure = "run it in a checkout of moreau, or give a list; `moreau scoreboard --stored` shows the results that this program holds";
+            let cure =
+                "run it in a checkout of moreau, or give a list; `moreau scoreboard --stored` shows the results that this program holds";
             return Err(Error::invalid("--engines", format!("is not given, and there is no {ENGINES} here"), cure));
         }
         Ok(Engines::read(file)?.engines)

@@ -248,9 +248,7 @@ fn list(format: Format) -> Result<()> {
         return print(&pretty(&serde_json::json!({"scenes": described, "schemes": schemes::NAMES, "solvers": solver_names()}))?);
     }
     let style = style();
-    let line = |(name, description): &(String, String)| {
-        style.wrapped("  ", &" ".repeat(19), &format!("{name:16} {description}")) + "\n"
-    };
+    let line = |(name, description): &(String, String)| style.wrapped("  ", &" ".repeat(19), &format!("{name:16} {description}")) + "\n";
     let described: String = scenes.iter().map(line).collect();
     let (schemes, solvers) = (schemes::NAMES.join("\n  "), solver_names().join("\n  "));
     print(&format!("scenes\n{described}schemes\n  {schemes}\nsolvers\n  {solvers}\n\n{}\n", style.wrapped("", "", EXPLAINED)))

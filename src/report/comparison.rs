@@ -1,7 +1,8 @@
 //! Several motions of one scene beside each other: a table of what they show, and their curves in common panels.
 
-use super::motion::{MotionReport, Quantity, shown};
+use super::motion::{MotionReport, Quantity};
 use super::plot::{Panel, Role};
+use super::quantity::shown;
 use super::steps::StepSummary;
 use crate::checks::text::Style;
 use crate::number::significant;
@@ -97,7 +98,8 @@ impl Comparison {
         let form = self.closed_form.as_deref().unwrap_or("none for this scene");
         let [h, duration] = [self.time_step, self.duration].map(significant);
         let line = |text: String| style.wrapped("", "  ", &text) + "\n";
-        let mut text = line(format!("scene {}, h = {h} s, {duration} s, solver {}\nclosed form: {form}", self.scene, self.solver)) + "\n";
+        let head = format!("scene {}, h = {h} s, {duration} s, solver {}", self.scene, self.solver);
+        let mut text = line(head) + &line(format!("closed form: {form}")) + "\n";
         let ran: Vec<_> = self.schemes.iter().filter(|scheme| scheme.unsupported.is_none()).collect();
         let columns: Vec<usize> = (0..SHOWN.len()).filter(|&k| ran.iter().any(|scheme| scheme.quantities[k].value.is_some())).collect();
         let mut rows = vec![heading(&columns)];

@@ -28,12 +28,12 @@ pub fn remark(recording: &Recording, mechanism: &dyn Mechanism, scene: &Scene) -
     let (first, second) = deepest.pair;
     let [depth, size] = [deepest.depth, deepest.size].map(significant);
     Some(format!(
-        "{} and {} overlap by {depth} m at t = {} s, {} times the smallest half extent of {}, {size} m; a smaller --step makes it less, \
+        "{} and {} overlap by {depth} m at t = {} s, {} % of the smallest half extent of {}, {size} m; a smaller --step makes it less, \
          unless the contact is as soft as that",
         name(first),
         second.map_or("ground", name),
         significant(deepest.time),
-        two_digits(deepest.depth / deepest.size),
+        two_digits(100.0 * deepest.depth / deepest.size),
         name(deepest.body)
     ))
 }
@@ -49,7 +49,8 @@ fn deepest(recording: &Recording, mechanism: &dyn Mechanism, scene: &Scene) -> O
         let contacts = mechanism.contacts_within(&state.position, 0.0);
         contacts.iter().filter_map(|contact| of(contact, state.time)).collect::<Vec<_>>()
     });
-    touching.max_by(|a, b| (a.depth / a.size).total_cmp(&(b.depth / b.size)))
+    // the first of several that are as deep
+    touching.reduce(|worst, next| if next.depth / next.size > worst.depth / worst.size { next } else { worst })
 }
 
 /// The radius, or the smallest half edge or half height \[m\].

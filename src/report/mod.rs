@@ -16,6 +16,7 @@ pub mod no_answer;
 pub mod peers;
 pub mod problems;
 pub mod proofs;
+mod quantity;
 pub mod schemas;
 pub mod steps;
 pub mod summary;

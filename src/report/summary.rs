@@ -33,7 +33,8 @@ impl MotionSummary<'_> {
     /// For reading.
     pub fn text(&self, style: Style) -> String {
         let form = self.closed_form.unwrap_or("none for this scene");
-        let head = [format!("scene {}", self.scene), format!("scheme {}, solver {}", self.scheme, self.solver), format!("closed form: {form}")];
+        let head =
+            [format!("scene {}", self.scene), format!("scheme {}, solver {}", self.scheme, self.solver), format!("closed form: {form}")];
         let line = |text: String| style.wrapped("", "  ", &text) + "\n";
         let head: String = head.into_iter().chain(self.note.map(|note| format!("note: {note}"))).map(line).collect();
         head + &lines(&self.quantities) + &line(self.steps.text().trim_end().into())

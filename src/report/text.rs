@@ -14,7 +14,7 @@ pub fn outcomes(outcomes: &[JudgedClaim], style: Style) -> String {
     for outcome in outcomes {
         open_section(&mut text, &mut group, outcome.claim, style);
         let alarm = alarm_word(&outcome.status).map(|word| format!("  {}", style.alarm(word))).unwrap_or_default();
-        line(&mut text, &style.wrapped("  ", BELOW, &format!("{}{alarm}", columns(outcome.claim, width, style))));
+        line(&mut text, &head(outcome.claim, width, &alarm, style));
         let number = decisive(outcome).map(found).unwrap_or_default();
         line(&mut text, &style.wrapped(BELOW, FURTHER_BELOW, &number));
     }
@@ -35,7 +35,7 @@ pub fn list(claims: &[&'static Claim], style: Style) -> String {
     let mut group = "";
     for claim in claims {
         open_section(&mut text, &mut group, claim, style);
-        line(&mut text, &style.wrapped("  ", BELOW, &columns(claim, width, style)));
+        line(&mut text, &head(claim, width, "", style));
         line(&mut text, &style.wrapped(BELOW, BELOW, &claim.statement.split_whitespace().collect::<Vec<_>>().join(" ")));
     }
     line(&mut text, "");
@@ -48,7 +48,8 @@ const BELOW: &str = "      ";
 const FURTHER_BELOW: &str = "        ";
 
 /// What a list of claims does not show.
-const EXPLAINED: &str = "`moreau verify --explain ID` explains one: proof or counterexample, numbers, correct statement, controls, sources.";
+const EXPLAINED: &str =
+    "`moreau verify --explain ID` explains one: proof or counterexample, numbers, correct statement, controls, sources.";
 
 /// Which text the claims are of.
 fn chapter(style: Style) -> String {
@@ -107,10 +108,16 @@ pub(super) fn section_of(claim: &Claim) -> Option<&'static Section> {
     order(claim.section()).map(|order| &SECTIONS[order])
 }
 
-/// Id, verdict, evidence and title of a claim.
-fn columns(claim: &Claim, width: usize, style: Style) -> String {
-    let verdict = format!("{:15}", claim.verdict.words());
-    format!("{:width$}  {}  {:13}  {}", claim.id, coloured(claim.verdict, &verdict, style), claim.evidence.word(), title(claim.id))
+/// Id, verdict, evidence and alarm of a claim, and its title: beside them if there is room, under them otherwise.
+fn head(claim: &Claim, width: usize, alarm: &str, style: Style) -> String {
+    let (title, evidence) = (title(claim.id), claim.evidence.word());
+    let verdict = coloured(claim.verdict, &format!("{:15}", claim.verdict.words()), style);
+    let head = format!("  {:width$}  {verdict}  {evidence:13}", claim.id);
+    let beside = 2 + width + 2 + 15 + 2 + 13 + 2 + title.chars().count() + alarm.chars().count() <= style.width;
+    if beside || title.is_empty() {
+        return format!("{head}  {title}{alarm}");
+    }
+    format!("{}{alarm}\n{}", head.trim_end(), style.wrapped(BELOW, BELOW, title))
 }
 
 /// A verdict in its colour.

@@ -285,12 +285,13 @@ fn a_deep_penetration_is_remarked_on_and_a_shallow_one_is_not() {
 
 #[test]
 fn rounding_is_shown_as_such() {
-    let at_rest = ["simulate", "--scene", "box-stack", "--step", "0.01"];
-    let text = moreau(&at_rest).output;
+    let elastic = ["simulate", "--scene", "elastic-ball", "--step", "0.01"];
+    let text = moreau(&elastic).output;
     let line = |name: &str| text.lines().find(|line| line.trim_start().starts_with(name)).unwrap_or_default().to_string();
     assert!(line("energy change").contains(" 0 J"), "{text}");
-    let json = moreau(&[&at_rest[..], &["--format", "json"]].concat()).json();
-    let change = json["quantities"].as_array().expect("a list").iter().find(|one| one["name"] == "energy change").expect("a change").clone();
+    let json = moreau(&[&elastic[..], &["--format", "json"]].concat()).json();
+    let change =
+        json["quantities"].as_array().expect("a list").iter().find(|one| one["name"] == "energy change").expect("a change").clone();
     let [value, bound] = [&change["value"], &change["rounding"]].map(|number| number.as_f64().expect("a number"));
     assert!(value.abs() <= bound && bound < 1e-9, "{change}");
     let fallen = moreau(&["simulate", "--scene", "ball-drop", "--step", "0.01"]).output;
@@ -302,7 +303,8 @@ fn a_picture_of_many_bodies_names_every_curve_and_what_is_left_out() {
     let folder = Folder::new("simulate-many");
     let mut scene = named("ball-drop").expect("built in");
     let ball = scene.bodies[0].clone();
-    scene.bodies = (0..19).map(|k| moreau::scenes::Body { name: format!("ball{k}"), position: [f64::from(k), 0.0, 1.1], ..ball.clone() }).collect();
+    scene.bodies =
+        (0..19).map(|k| moreau::scenes::Body { name: format!("ball{k}"), position: [f64::from(k), 0.0, 1.1], ..ball.clone() }).collect();
     scene.bodies[18].linear_velocity = [0.01, 0.0, 0.0];
     let file = folder.file("many.json", &scene.to_json().expect("valid"));
     let plot = folder.path("many.svg");

@@ -52,7 +52,7 @@ const LEGEND_MARGIN: u32 = 18 * FINE;
 /// The least width of the legend, and what a row has beside its label, whose characters are at most so wide.
 const LEGEND_WIDTH: u32 = 190 * FINE;
 const LEGEND_LINE: u32 = 48 * FINE;
-const CHARACTER_WIDTH: u32 = 8 * FINE;
+const CHARACTER_WIDTH: u32 = 7 * FINE;
 /// Rows of the legend; of more curves it tells the number.
 const LEGEND_ROWS: usize = 40;
 /// Points per curve that a picture of this width can show.
@@ -110,7 +110,7 @@ impl Size {
         let rows = panels.iter().map(|panel| legend(panel).len()).max().unwrap_or(0);
         let labels = panels.iter().flat_map(legend).map(|(label, _)| label.chars().count()).max().unwrap_or(0);
         let legend = LEGEND_WIDTH.max(LEGEND_LINE + CHARACTER_WIDTH * labels as u32);
-        let line = ((CHART_WIDTH + legend) / (CHARACTER_WIDTH - FINE)) as usize;
+        let line = ((CHART_WIDTH + legend) / CHARACTER_WIDTH) as usize;
         let note: Vec<String> = if note.is_empty() { Vec::new() } else { wrap(note, line).iter().map(ToString::to_string).collect() };
         Size {
             head: TITLE_HEIGHT + NOTE_HEIGHT * note.len() as u32,
@@ -308,7 +308,7 @@ mod tests {
         assert!(tall.panel >= 19 * ROW_HEIGHT);
         let mut named = many(1);
         named.curves[0].label = "moreau-jean-projection: the body at the top x".into();
-        assert!(Size::of("", &[named]).legend > LEGEND_LINE + 45 * 7 * FINE, "its label is not cut");
+        assert!(Size::of("", &[named]).legend > LEGEND_LINE + 45 * 6 * FINE, "its label is not cut");
     }
 
     #[test]

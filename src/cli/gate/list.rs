@@ -1,9 +1,9 @@
 //! The checks, listed or explained.
 
+use crate::checks::text::{Style, counted};
 use crate::cli::near::suggestion;
 use crate::cli::output::{print, style};
 use crate::cli::{Answer, Format};
-use crate::checks::text::{Style, counted};
 use crate::gate::{Check, Run, checks, planted};
 use crate::report::json::pretty;
 use crate::{Error, Result};

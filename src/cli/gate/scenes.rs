@@ -1,8 +1,8 @@
 //! The scenes of the sweep as files, for simulators that are run elsewhere.
 
+use crate::checks::text::counted;
 use crate::cli::Answer;
 use crate::cli::output::{print, style};
-use crate::checks::text::counted;
 use crate::files::write_atomically;
 use crate::gate::library::Requests;
 use crate::gate::runner::{self, Plan};

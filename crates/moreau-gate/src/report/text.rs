@@ -35,7 +35,8 @@ fn below(line: &str, style: Style) -> String {
 fn adapter(report: &Report, style: Style) -> String {
     let told = report.adapter.iter().filter_map(|probe| match &probe.outcome {
         ProbeOutcome::Problem { why, cure } => {
-            let lines = [("  ", format!("{}: {}", probe.probe, probe.demand)), ("    ", format!("seen: {why}")), ("    ", format!("cure: {cure}"))];
+            let lines =
+                [("  ", format!("{}: {}", probe.probe, probe.demand)), ("    ", format!("seen: {why}")), ("    ", format!("cure: {cure}"))];
             Some(lines.map(|(indent, line)| style.wrapped(indent, "      ", &line) + "\n").concat())
         }
         _ => None,
