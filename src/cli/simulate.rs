@@ -230,8 +230,8 @@ impl Arguments {
 }
 
 /// What the list does not show.
-const EXPLAINED: &str = "`moreau systems` says what each scheme is and how closely it agrees with its engine, `moreau solve --help` which laws \
-                         a solver takes, `moreau verify --list --search NAME` what the chapter says of them.";
+const EXPLAINED: &str = "`moreau systems` says what each scheme is and how closely it agrees with its engine, `moreau solve --help` which \
+                         laws a solver takes, `moreau verify --list --search NAME` what the chapter says of them.";
 
 fn solver_names() -> Vec<&'static str> {
     solvers::ALL.names().collect()

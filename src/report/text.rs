@@ -248,7 +248,9 @@ pub(crate) mod tests {
         let all: Vec<&'static Claim> = crate::claims::all().collect();
         for width in [80, 100, 120] {
             let text = list(&all, Style { width, ..PLAIN });
-            let wide = text.lines().find(|line| line.chars().count() > width);
+            // a mark over a letter takes no column
+            let columns = |line: &str| line.chars().filter(|letter| !('\u{300}'..='\u{36f}').contains(letter)).count();
+            let wide = text.lines().find(|line| columns(line) > width);
             assert_eq!(wide, None, "{width}");
             let statement = |claim: &Claim| claim.statement.split_whitespace().collect::<Vec<_>>().join(" ");
             let squeezed = text.split_whitespace().collect::<Vec<_>>().join(" ");

@@ -1,5 +1,6 @@
 //! `moreau new`: every file to begin with is taken as it is by the command that it is for.
 
+use super::joints::BOB;
 use super::{Folder, Run, moreau};
 use std::process::Command;
 
@@ -34,10 +35,7 @@ fn a_new_problem_is_solved_and_the_answer_certified() {
 fn a_new_solution_has_the_size_of_its_problem_and_is_judged() {
     let folder = Folder::new("new-solution");
     let lcp = r#"{"schema": "lcp/1", "matrix": {"shape": [2, 2], "rows": [[2, 0], [0, 2]]}, "vector": [-1, 1]}"#;
-    let joints = r#"{"schema": "contact-problem/1", "name": "hinge", "dimension": 2, "law": "coulomb", "friction": [0.5],
-        "kinds": [{"kind": "contact"}, {"kind": "bilateral", "rows": 2}], "free_velocity": [-1, 2, 0, 1],
-        "delassus": {"shape": [4, 4], "rows": [[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}}"#;
-    for (name, text, rows) in [("block.json", super::PROBLEM, 2), ("lcp.json", lcp, 2), ("hinge.json", joints, 4)] {
+    for (name, text, rows) in [("block.json", super::PROBLEM, 2), ("lcp.json", lcp, 2), ("bob.json", BOB, 2)] {
         let problem = folder.file(name, text);
         let solution = written(&folder, &["solution", &problem], &format!("zero-{name}"));
         let text = std::fs::read_to_string(&solution).expect("written");

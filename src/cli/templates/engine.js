@@ -115,5 +115,5 @@ const lines = readline.createInterface({ input: process.stdin });
 lines.on("line", (line) => {
   const [kind, reply] = answer(line);
   process.stdout.write(JSON.stringify(reply) + "\n");
-  if (kind === "bye") lines.close();
+  if (kind === "bye") process.stdin.destroy(); // nothing is left to wait for, and the program ends
 });

@@ -10,9 +10,9 @@ use moreau_checks::text::Style;
 /// the marks mean.
 pub fn table(standings: &[Standing], causes: &[Cause], style: Style) -> String {
     let engines: String = standings.iter().map(|standing| engine(standing, causes, style) + "\n").collect();
-    let marks = "✓ as Coulomb–Signorini demands · ≈ different, as the engine's declared law predicts · ✗ fails · ! errored · – the engine does \
-                 not do this; of every family in the order of `moreau gate --list`. `moreau gate --explain CHECK` explains a check, --html \
-                 FILE has every number.";
+    let marks = "✓ as Coulomb–Signorini demands · ≈ different, as the engine's declared law predicts · ✗ fails · ! errored · – the engine \
+                 does not do this; of every family in the order of `moreau gate --list`. `moreau gate --explain CHECK` explains a check, \
+                 --html FILE has every number.";
     engines + &style.wrapped("", "", marks) + "\n"
 }
 
