@@ -43,12 +43,7 @@ pub fn find(name: &str, argument: &str) -> Result<Scene> {
 }
 
 /// The scene with e of every pair where it is given, and plastic for a scheme that has no restitution, with a note where that changes it.
-pub fn plastic_if_needed(
-    mut scene: Scene,
-    scheme: &dyn Scheme,
-    name: &str,
-    restitution: Option<f64>,
-) -> (Scene, Option<&'static str>) {
+pub fn plastic_if_needed(mut scene: Scene, scheme: &dyn Scheme, name: &str, restitution: Option<f64>) -> (Scene, Option<&'static str>) {
     let bounces = scene.material.restitution != 0.0 || scene.material.pairs.iter().any(|pair| pair.restitution.is_some_and(|e| e != 0.0));
     let plastic = !scheme.has_restitution() && bounces;
     if let Some(restitution) = if plastic { Some(0.0) } else { restitution } {

@@ -127,9 +127,14 @@ impl Certificate {
         let contacts = self.each().unwrap_or_default();
         let refused: Vec<usize> = (0..contacts.len()).filter(|k| !contacts[*k].accepts(self.tolerance)).collect();
         for k in refused.iter().take(TOLD) {
-            let wrong = RESIDUALS.iter().zip(contacts[*k].parts).filter(|(_, part)| !matches!(part.relative(), relative if relative <= self.tolerance));
+            let wrong = RESIDUALS
+                .iter()
+                .zip(contacts[*k].parts)
+                .filter(|(_, part)| !matches!(part.relative(), relative if relative <= self.tolerance));
             let told: Vec<_> = wrong
-                .map(|((name, unit), part)| format!("{name} {} (relative {})", with_unit(&significant(part.value), unit), significant(part.relative())))
+                .map(|((name, unit), part)| {
+                    format!("{name} {} (relative {})", with_unit(&significant(part.value), unit), significant(part.relative()))
+                })
                 .collect();
             let _ = writeln!(text, "contact {k} is refused: {}", told.join(", "));
         }

@@ -59,7 +59,8 @@ pub fn gate(
 ) -> PyResult<Report> {
     let checks = names.iter().map(|name| registry::find(name).ok_or_else(|| unknown(py, name))).collect::<PyResult<Vec<_>>>()?;
     let options: Options = serde_json::from_str(options).map_err(moreau::Error::Json).python(py)?;
-    let limits = Limits { reply: seconds(py, "time_limit", time_limit)?, start: seconds(py, "start_limit", start_limit)?, ..Limits::default() };
+    let limits =
+        Limits { reply: seconds(py, "time_limit", time_limit)?, start: seconds(py, "start_limit", start_limit)?, ..Limits::default() };
     let shared = Shared::default();
     let make: Box<dyn Fn() -> Box<dyn Engine> + Sync> = match engine {
         Some(class) => {
@@ -115,8 +116,8 @@ fn seconds(py: Python<'_>, name: &str, number: f64) -> PyResult<Duration> {
 }
 
 fn cannot_run(py: Python<'_>, refusal: &Refusal) -> PyErr {
-    let made = py.import("moreau_contact._errors").and_then(|errors| {
-        errors.getattr("EngineError")?.call1((format!("the engine could not be run: {refusal}"),))
-    });
+    let made = py
+        .import("moreau_contact._errors")
+        .and_then(|errors| errors.getattr("EngineError")?.call1((format!("the engine could not be run: {refusal}"),)));
     made.map_or_else(|failure| failure, PyErr::from_value)
 }

@@ -40,7 +40,9 @@ pub fn simulate(
         Err(_) if scene.is_instance_of::<PyString>() => (scene.extract::<String>()?, None),
         Err(_) => match scene.extract::<PathBuf>() {
             Ok(file) => (file.to_string_lossy().into_owned(), None),
-            Err(_) => return Err(invalid(py, "scene", "is no scene", "give a name of `moreau_contact.scenes()`, a file scene/1 or a dict")),
+            Err(_) => {
+                return Err(invalid(py, "scene", "is no scene", "give a name of `moreau_contact.scenes()`, a file scene/1 or a dict"));
+            }
         },
     };
     let scene = given.map(|text| Scene::from_json(&text)).transpose().python(py)?;
@@ -71,7 +73,7 @@ fn text_of(dict: &Bound<'_, PyDict>) -> PyResult<String> {
     dict.py().import("json")?.call_method1("dumps", (dict,))?.extract()
 }
 
-    /// The name of what moves.
+/// The name of what moves.
 #[pymethods]
 impl Motion {
     #[getter]
@@ -128,7 +130,8 @@ impl Motion {
     /// world frame.
     fn body<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyDict>> {
         let track = self.tracks().iter().find(|track| track.name == name);
-        let track = track.ok_or_else(|| invalid(py, "name", format!("`{name}` is no body"), format!("use one of {}", self.bodies().join(", "))))?;
+        let track =
+            track.ok_or_else(|| invalid(py, "name", format!("`{name}` is no body"), format!("use one of {}", self.bodies().join(", "))))?;
         let all = PyDict::new(py);
         all.set_item("position", to_rows(py, track.position.concat(), 3)?)?;
         all.set_item("orientation", to_rows(py, track.orientation.concat(), 4)?)?;
@@ -185,7 +188,13 @@ impl Motion {
     fn __repr__(&self) -> String {
         let recording = &self.moved.recording;
         let steps = recording.samples.len() - 1;
-        format!("Motion({:?}, {:?}, {steps} steps of {} s, rejected={})", recording.mechanism, recording.scheme, recording.time_step, self.rejected())
+        format!(
+            "Motion({:?}, {:?}, {steps} steps of {} s, rejected={})",
+            recording.mechanism,
+            recording.scheme,
+            recording.time_step,
+            self.rejected()
+        )
     }
 }
 

@@ -113,7 +113,9 @@ fn rows_per_contact(py: Python<'_>, rows: usize, friction: Option<&Friction>) ->
         None => Some(1),
         Some(Friction::Same(_)) => Some(3).filter(|per_contact| rows.is_multiple_of(*per_contact)),
         Some(Friction::Each(each)) if each.is_empty() => Some(3).filter(|_| rows == 0),
-        Some(Friction::Each(each)) => Some(rows / each.len()).filter(|per_contact| (1..=3).contains(per_contact) && per_contact * each.len() == rows),
+        Some(Friction::Each(each)) => {
+            Some(rows / each.len()).filter(|per_contact| (1..=3).contains(per_contact) && per_contact * each.len() == rows)
+        }
     };
     found.ok_or_else(|| {
         let given = match friction {

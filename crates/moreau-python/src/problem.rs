@@ -84,7 +84,9 @@ impl Problem {
     fn with_law(&self, py: Python<'_>, law: &str, directions: Option<usize>) -> PyResult<Self> {
         let law = law_of(py, law, directions)?;
         let posed = match &*self.posed {
-            Posed::Contacts(problem) => (**problem).clone().into_builder().law(law).build().map(|problem| Posed::Contacts(Box::new(problem))),
+            Posed::Contacts(problem) => {
+                (**problem).clone().into_builder().law(law).build().map(|problem| Posed::Contacts(Box::new(problem)))
+            }
             Posed::Jointed(problem) => {
                 (**problem).clone().law(law, problem.friction().to_vec()).map(|problem| Posed::Jointed(Box::new(problem)))
             }

@@ -54,7 +54,12 @@ pub fn solve(
     let problem = match (W.cast::<Problem>(), u_free) {
         (Ok(problem), None) if mu.is_none() && shift.is_none() && directions.is_none() && law == "coulomb" => problem.get(),
         (Ok(_), _) => {
-            return Err(invalid(py, "problem", "has its own data and law", "give the problem alone; `with_law` poses it under another law"));
+            return Err(invalid(
+                py,
+                "problem",
+                "has its own data and law",
+                "give the problem alone; `with_law` poses it under another law",
+            ));
         }
         (Err(_), Some(u_free)) => {
             made = pose(&Arguments { operator: W, u_free, mu, law, directions, shift, name: "" })?;

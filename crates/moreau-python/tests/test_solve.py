@@ -91,9 +91,10 @@ def test_an_unknown_solver_is_told_with_the_names_there_are():
 
 
 def test_an_answer_that_the_certificate_rejects_is_raised_and_kept():
-    rng = np.random.default_rng(7)
-    rows = rng.normal(size=(12, 6))
-    arguments = ((np.eye(6), rows), rows @ [0, 0, -3, 0, 0, 0], [0.5] * 4)
+    # a box on four corners, pushed sideways: one sweep is not enough
+    corners = [(x, y, -0.1) for x in (-0.2, 0.2) for y in (-0.2, 0.2)]
+    rows = np.vstack([[[0, 0, 1, y, -x, 0], [1, 0, 0, 0, z, -y], [0, 1, 0, -z, 0, x]] for x, y, z in corners])
+    arguments = ((np.diag([2, 2, 2, 0.05, 0.05, 0.05]), rows), rows @ [1, 0, -0.1, 0, 0, 0], [0.3] * 4)
     with pytest.raises(mc.Rejected) as caught:
         mc.solve(*arguments, solver="pgs", iterations=1)
     assert caught.value.status == "rejected" and not caught.value.solution and "contact" in str(caught.value)

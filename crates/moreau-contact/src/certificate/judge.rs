@@ -156,7 +156,12 @@ impl Judge {
 
     /// [`Judge::judge`], which shows every residual: its contact, its place in [`Judged::entries`], and the residual. A contact that is
     /// plainly open has none.
-    pub(super) fn judge_seen(&mut self, problem: &ContactProblem, solution: &Solution, see: impl FnMut(usize, usize, Part)) -> Result<Judged> {
+    pub(super) fn judge_seen(
+        &mut self,
+        problem: &ContactProblem,
+        solution: &Solution,
+        see: impl FnMut(usize, usize, Part),
+    ) -> Result<Judged> {
         self.scales.prepare(problem);
         self.judge_shown(problem, solution, Unheld::default(), see)
     }

@@ -152,7 +152,7 @@ def claims(search: str | None = None) -> list[dict[str, Any]]:
     search : words that id, statement or correction must all have, in any case.
 
     >>> [claim["verdict"] for claim in claims("copositive-plus") if claim["id"] == "S4.copos-plus"]
-    ['false']
+    ['FALSE AS STATED']
     """
     words = (search or "").lower().split()
     has = ("id", "statement", "correct_statement")
@@ -168,7 +168,8 @@ def verify(ids: str | Sequence[str]) -> list[dict[str, Any]]:
     names = [ids] if isinstance(ids, str) else list(ids)
     if not names:
         raise InvalidInput("`ids`: is empty; give at least one id or group", "ids", "is empty", "give at least one id or group")
-    return json.loads(_native.verify(names))
+    judged: list[dict[str, Any]] = json.loads(_native.verify(names))
+    return judged
 
 
 Problem = _native.Problem

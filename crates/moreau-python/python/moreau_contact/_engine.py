@@ -3,8 +3,6 @@
 The class has `describe(options)`, and what it can of `simulate(scene, time_step, sample_every, options)`,
 `solve(problem, options)` and `project(friction, points, options)`; arguments and answers are those of docs/protocol.md as
 dicts, lists and numpy arrays. `raise Unsupported(reason)` says that a question cannot be expressed.
-
-    python -m moreau_contact._engine FILE_OR_MODULE CLASS        serves the class on standard input and output
 """
 from __future__ import annotations
 
@@ -117,12 +115,8 @@ def serve(engine: Any) -> None:
     """Answers lines of standard input until `bye`; what the engine prints goes to standard error."""
     replies, sys.stdout = sys.stdout, sys.stderr
     for line in sys.stdin:
-        request = None
-        try:
-            request = json.loads(line)
-        except ValueError:
-            pass
-        bye = isinstance(request, dict) and request.get("request") == "bye"
+        request = _object(line)
+        bye = request.get("request") == "bye"
         reply = json.dumps({"id": request.get("id"), "result": {}}) if bye else answer(engine, line)
         replies.write(reply + "\n")
         replies.flush()
@@ -130,5 +124,16 @@ def serve(engine: Any) -> None:
             return
 
 
-if __name__ == "__main__":
-    serve(made(load(sys.argv[1], sys.argv[2])))
+def _object(line: str) -> dict[str, Any]:
+    """The object on a line; an empty one where there is none, which `answer` refuses in words."""
+    try:
+        found = json.loads(line)
+    except ValueError:
+        return {}
+    return found if isinstance(found, dict) else {}
+
+
+def command(engine: type) -> list[str]:
+    """The command of a child that serves a class; it looks for modules where this process does."""
+    return [sys.executable, "-m", "moreau_contact._child", *address(engine), *filter(None, sys.path)]
+

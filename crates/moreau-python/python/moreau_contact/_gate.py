@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import json
 import os
-import sys
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
@@ -78,7 +77,7 @@ def gate(
     if isinstance(engine, (list, tuple)):
         command, engine = [os.fspath(word) for word in engine], None
     elif isolate:
-        command, engine = [sys.executable, "-m", "moreau_contact._engine", *_engine.address(engine)], None
+        command, engine = _engine.command(engine), None
     for name, number in (("jobs", jobs), ("repeats", repeats)):
         if number < 1:
             raise InvalidInput(f"`{name}`: is {number}; use a whole number from 1", name, f"is {number}", "use a whole number from 1")
@@ -127,5 +126,5 @@ def gate_one(engine: Any, name: str, steps: Sequence[float], options: Mapping[st
     """One check, without the probes of the adapter: what the pytest plugin measures test by test."""
     command: list[str] = []
     if isolate:
-        command, engine = [sys.executable, "-m", "moreau_contact._engine", *_engine.address(engine)], None
+        command, engine = _engine.command(engine), None
     return _native.gate(engine, command, [name], list(steps), json.dumps(dict(options)), 1, repeats, 60.0, 60.0, False)

@@ -1,13 +1,34 @@
 """Types of the compiled half."""
 import os
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+__all__ = [
+    "Certificate",
+    "Motion",
+    "Problem",
+    "Report",
+    "Solution",
+    "__version__",
+    "certify",
+    "checks",
+    "claims",
+    "command",
+    "gate",
+    "scenes",
+    "seconds_of",
+    "simulate",
+    "solve",
+    "solvers",
+    "verify",
+]
+
 __version__: str
 
+@final
 class Problem:
     def __new__(
         cls,
@@ -52,6 +73,7 @@ class Problem:
     @property
     def W(self) -> NDArray[np.float64]: ...
 
+@final
 class Certificate:
     def __bool__(self) -> bool: ...
     @property
@@ -68,6 +90,7 @@ class Certificate:
     def contacts(self) -> dict[str, NDArray[Any]]: ...
     def to_json(self) -> str: ...
 
+@final
 class Solution:
     def __bool__(self) -> bool: ...
     @property
@@ -91,6 +114,7 @@ class Solution:
     @staticmethod
     def read(file: str | os.PathLike[str], problem: Problem, *, tolerance: float | None = None) -> Solution: ...
 
+@final
 class Motion:
     @property
     def mechanism(self) -> str: ...
@@ -120,6 +144,7 @@ class Motion:
     def to_json(self) -> str: ...
     def write(self, file: str | os.PathLike[str]) -> None: ...
 
+@final
 class Report:
     def __bool__(self) -> bool: ...
     @property

@@ -157,4 +157,4 @@ def _holds(measured: dict[str, Any]) -> bool:
     expected = measured.get("model") or measured["ideal"]
     off = measured["value"] - expected["value"]
     miss = {"equal": abs(off), "at-most": off, "at-least": -off}[expected["relation"]]
-    return miss <= expected["tolerance"]
+    return bool(miss <= expected["tolerance"])
