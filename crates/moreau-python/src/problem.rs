@@ -41,7 +41,7 @@ pub struct Problem {
 impl Problem {
     #[new]
     #[pyo3(signature = (W, u_free, mu = None, *, law = "coulomb", directions = None, shift = None, name = ""))]
-    #[expect(non_snake_case, clippy::too_many_arguments, reason = "the names of the arguments in Python")]
+    #[expect(non_snake_case, reason = "the names of the arguments in Python")]
     fn new(
         W: &Bound<'_, PyAny>,
         u_free: &Bound<'_, PyAny>,
