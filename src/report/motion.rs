@@ -260,7 +260,7 @@ mod tests {
     use crate::solvers::Auto;
     use crate::tolerance::rounding;
 
-    fn with_motion(scene: &str, scheme: &dyn Scheme, check: impl Fn(&MotionReport, &dyn Fn(&str) -> Option<f64>)) {
+    fn with_motion(scene: &str, scheme: &dyn Scheme, check: impl FnOnce(&MotionReport, &dyn Fn(&str) -> Option<f64>)) {
         let scene = named(scene).expect("a built-in scene");
         let (mechanism, start) = scene.mechanism().expect("planar");
         let exact = scene.exact_motion(&start);

@@ -59,7 +59,7 @@ fn every_help_fits_into_80_columns() {
     let commands = moreau(&["--help"]).output;
     let names = commands.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
     let names = names.filter_map(|line| line.strip_prefix("  ").filter(|line| !line.starts_with(' ')));
-    let names: Vec<_> = names.filter_map(|line| line.split_whitespace().next()).collect();
+    let names: Vec<_> = names.filter_map(|line| line.split_whitespace().next()).filter(|name| *name != "help").collect();
     assert!(names.len() > 15, "{names:?}");
     for name in names {
         fits(&within(80, &[name, "--help"]), 80);
