@@ -67,11 +67,11 @@ fn control(outcome: &JudgedClaim, place: usize, findings: &[Finding], style: Sty
         lines.push(wrap(&format!("not asked of this subject: {}", missing.join("; "))));
     }
     lines.push(match (&outcome.status, derive(findings)) {
-        (Status::ControlPassed, _) => format!("  {}", style.alarm("the control was NOT contradicted")),
+        (Status::ControlPassed, _) => wrap(&style.alarm("the control was NOT contradicted")),
         (_, Ok(verdict)) if verdict != outcome.claim.verdict => {
-            format!("  with this control the verdict is another one, as it must be: {}", verdict.words())
+            wrap(&format!("with this control the verdict is another one, as it must be: {}", verdict.words()))
         }
-        _ => "  with this control something else is found, as it must be".into(),
+        _ => wrap("with this control something else is found, as it must be"),
     });
     lines
 }
