@@ -122,12 +122,17 @@ fn the_html_of_the_gate_says_first_what_is_bad_and_escapes_what_an_engine_says_o
     let standing = standings().into_iter().find(|standing| standing.entry.name == "mujoco-pgs").expect("stored");
     let mut report = standing.report.expect("run");
     report.engine.version = "</title><i>".into();
-    let changes = [Change { check: "ball/zeno".into(), kind: ChangeKind::Regression, what: "`worse` <i>".into() }];
+    let change = |check: &str| Change { check: check.into(), kind: ChangeKind::Regression, what: "`worse` <i>".into() };
+    let changes = [change("ball/zeno"), change("ball/forgotten")];
     let page = page::html(&report, Some(&changes), day()).expect("pictures");
     is_a_page(&page);
     assert!(!page.contains("<i></") && !page.contains("</title><i>") && page.contains("<code>worse</code> &lt;i&gt;"));
     let bad: Vec<_> = report.checks.iter().filter(|outcome| outcome.verdict.is_bad()).map(|outcome| &outcome.check).collect();
     assert!(!bad.is_empty(), "an engine without a mistake shows nothing here");
+    assert!(
+        page.contains("<li class=\"\"><b>0</b> errored</li>")
+            && page.contains(&format!("<li class=\"fail\"><b>{}</b> fail</li>", bad.len()))
+    );
     let (summary, every) = page.split_once("<h2>Every check</h2>").expect("a summary before the checks");
     for check in &bad {
         assert!(summary.contains(&format!("<a href=\"#{check}\"><span class=\"verdict ")), "{check} is named first");

@@ -82,7 +82,7 @@ impl MotionPage<'_> {
 fn stage() -> Markup {
     html! {
         div.stage {
-            canvas #view tabindex="0" role="img" aria-label="The motion, drawn in space" aria-describedby="keys" {}
+            canvas #view tabindex="0" role="application" aria-label="The motion, drawn in space" aria-describedby="keys" {}
             div.eye {
                 button #nearer type="button" aria-label="Nearer" { "+" }
                 button #farther type="button" aria-label="Farther" { "−" }

@@ -310,7 +310,8 @@
 
   const tick = (now) => {
     if (!state.playing) return;
-    const passed = (now - state.begun) / 1000;
+    // a page that was hidden does not jump
+    const passed = Math.min(1, (now - state.begun) / 1000);
     if (!calm.matches || passed * 1000 >= STILL) {
       const clock = state.clock + passed * Number($("speed").value);
       state.begun = now;

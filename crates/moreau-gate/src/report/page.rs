@@ -22,7 +22,7 @@ pub fn html(report: &Report, changes: Option<&[Change]>, day: Date) -> Result<St
         h1 { (title) }
         p.meta { "Judged by moreau " (VERSION) " on " (day) "." }
         (verdicts(report))
-        @if let Some(changes) = changes { (comparison(changes)) }
+        @if let Some(changes) = changes { (comparison(report, changes)) }
         (failures(&bad))
         (adapter(report))
         h2 { "The engine" }
@@ -40,8 +40,8 @@ fn verdicts(report: &Report) -> Markup {
     html! {
         p { (report.checks.len()) " checks:" }
         ul.counts {
-            @for verdict in ORDER.iter().rev() {
-                li class=(verdict.word()) { b { (report.count(*verdict)) } " " (verdict.word()) }
+            @for (verdict, count) in ORDER.iter().rev().map(|verdict| (verdict, report.count(*verdict))) {
+                li class=(if count > 0 { verdict.word() } else { "" }) { b { (count) } " " (verdict.word()) }
             }
         }
     }
@@ -75,6 +75,7 @@ fn engine(report: &Report) -> Markup {
             tr { th scope="row" { "declared contact" } td { (format!("{:?}", model.kind).to_lowercase()) ", " (model.law.as_deref().unwrap_or("no \
                 documented law")) } }
             tr { th scope="row" { "parameters" } td {
+                @if model.parameters.is_empty() { "none" }
                 @for (name, one) in &model.parameters {
                     code { (name) " = " (parameter(&serde_json::json!(one.value))) " " (parameter(&serde_json::json!(one.unit))) } " "
                 }
@@ -103,16 +104,18 @@ fn adapter(report: &Report) -> Markup {
     }
 }
 
-fn comparison(changes: &[Change]) -> Markup {
+fn comparison(report: &Report, changes: &[Change]) -> Markup {
     let class = |kind| if kind == ChangeKind::Regression { "regression" } else { "" };
+    let words = |change: &Change| html! { b { (format!("{:?}", change.kind)) } " " (change.check) ": " (with_code(&change.what)) };
+    let is_here = |change: &Change| report.checks.iter().any(|outcome| outcome.check == change.check);
     html! {
         h2 { "Against the baseline" }
         @if changes.is_empty() { p { "As the baseline." } }
         ul.list {
             @for change in changes {
-                li { a class=(class(change.kind)) href={ "#" (change.check) } {
-                    b { (format!("{:?}", change.kind)) } " " (change.check) ": " (with_code(&change.what))
-                } }
+                li class=(class(change.kind)) {
+                    @if is_here(change) { a href={ "#" (change.check) } { (words(change)) } } @else { (words(change)) }
+                }
             }
         }
     }
@@ -128,7 +131,7 @@ fn details(outcome: &CheckOutcome) -> Result<Markup> {
                 p { (with_code(check.question)) }
                 p { i { (with_code(check.derivation)) } " Source: " (with_code(check.source)) }
             }
-            @for trend in &outcome.trends { p { (trend) } }
+            @if !outcome.trends.is_empty() { ul { @for trend in &outcome.trends { li { (trend) } } } }
             @for picture in pictures.iter().flatten() { (PreEscaped(picture)) }
             @if outcome.steps.iter().any(|step| !step.measurements.is_empty()) {
                 (scrolled(&format!("Every value of {}", outcome.check), &values(outcome)))

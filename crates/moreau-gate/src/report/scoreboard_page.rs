@@ -71,7 +71,7 @@ fn count(verdict: Verdict, count: usize) -> Markup {
 fn name(standing: &Standing) -> Markup {
     html! {
         a href={ "#engine:" (standing.entry.name) } { (standing.entry.name) }
-        @if let Some(report) = &standing.report { br; small { (report.engine.name) " " (report.engine.version) } }
+        @if let Some(report) = &standing.report { small { (report.engine.name) " " (report.engine.version) } }
     }
 }
 
@@ -139,7 +139,7 @@ fn number(engine: &str, outcome: &CheckOutcome, causes: &[Cause]) -> Markup {
     html! {
         details open[outcome.verdict.is_bad()] {
             summary { span class={ "verdict " (word) } { (mark(outcome.verdict)) " " (word) } (outcome.check) }
-            p id={ (engine) ":" (outcome.check) } { (with_code(&words(outcome))) @if !at.is_empty() { " Bad at h = " (at) " s." } }
+            p id={ (engine) ":" (outcome.check) } { (with_code(&words(outcome))) @if !at.is_empty() { "; bad at h = " (at) " s" } }
             @if let Some(k) = cause {
                 p { a href={ "#cause:" (k) } { (causes[k].error.word()) } ": " (with_code(&causes[k].cause)) }
             }
