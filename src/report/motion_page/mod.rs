@@ -156,7 +156,7 @@ fn numbers(quantities: &[Quantity]) -> Markup {
             summary { "Numbers of the whole motion" }
             table {
                 @for Quantity { name, value, unit } in quantities {
-                    @if let Some(value) = value { tr { th scope="row" { (name) } td { (with_unit(&significant(*value), unit)) } } }
+                    @if let Some(value) = value { tr { th scope="row" { (name) } td.n { (with_unit(&significant(*value), unit)) } } }
                 }
             }
         }

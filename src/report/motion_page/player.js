@@ -215,19 +215,20 @@
   };
   // Arrows from the contacts, as long as the square root of their impulses.
   const drawPushes = () => {
-    Object.assign(brush, { strokeStyle: colours.push, fillStyle: colours.push, lineWidth: 2.5, lineCap: "round" });
-    data.contacts[state.sample].forEach(([, , point, impulse]) => {
+    const all = data.contacts[state.sample], small = all.length > 40;
+    Object.assign(brush, { strokeStyle: colours.push, fillStyle: colours.push, lineWidth: small ? 1.2 : 2.5, lineCap: "round" });
+    all.forEach(([, , point, impulse]) => {
       const from = seen(point), force = size(impulse);
       if (from[2] < near()) return;
       const [x, y] = onto(from);
       brush.beginPath();
-      brush.arc(x, y, 4, 0, 2 * Math.PI);
+      brush.arc(x, y, small ? 2 : 4, 0, 2 * Math.PI);
       brush.fill();
       const tip = seen(add(point, impulse, 0.5 * room * Math.sqrt(force / hardest) / (force || 1)));
       if (!(force > 0) || !trace([from, tip], false)) return;
       brush.stroke();
       if (tip[2] < near()) return;
-      const [u, v] = onto(tip), turn = Math.atan2(v - y, u - x), head = Math.min(10, Math.hypot(u - x, v - y));
+      const [u, v] = onto(tip), turn = Math.atan2(v - y, u - x), head = Math.min(small ? 5 : 10, Math.hypot(u - x, v - y));
       const barb = (angle) => [u + head * Math.cos(angle), v + head * Math.sin(angle)];
       brush.beginPath();
       [barb(turn + 2.65), [u, v], barb(turn - 2.65)].forEach(([a, b], k) => k ? brush.lineTo(a, b) : brush.moveTo(a, b));
