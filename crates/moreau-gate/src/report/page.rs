@@ -72,8 +72,9 @@ fn engine(report: &Report) -> Markup {
     html! {
         table {
             tr { th scope="row" { "engine" } td { (report.engine.name) " " (report.engine.version) } }
-            tr { th scope="row" { "declared contact" } td { (format!("{:?}", model.kind).to_lowercase()) ", " (model.law.as_deref().unwrap_or("no \
-                documented law")) } }
+            tr { th scope="row" { "declared contact" } td {
+                (format!("{:?}", model.kind).to_lowercase()) ", " (model.law.as_deref().unwrap_or("no documented law"))
+            } }
             tr { th scope="row" { "parameters" } td {
                 @if model.parameters.is_empty() { "none" }
                 @for (name, one) in &model.parameters {
@@ -155,8 +156,10 @@ fn values(outcome: &CheckOutcome) -> Markup {
     let rows = outcome.steps.iter().flat_map(|step| step.measurements.iter().map(move |one| (step, one)));
     html! {
         table {
-            thead { tr { th { "h [s]" } th { "quantity" } th { "value" } th { "verdict" } th { "spread" } th { "Coulomb–Signorini" } th { "declared \
-                law" } } }
+            thead { tr {
+                th { "h [s]" } th { "quantity" } th { "value" } th { "verdict" } th { "spread" } th { "Coulomb–Signorini" }
+                th { "declared law" }
+            } }
             tbody { @for (step, one) in rows { (row(step, one)) } }
         }
     }

@@ -12,8 +12,8 @@ pub const BEGIN: &str = "<!-- scoreboard -->";
 pub const END: &str = "<!-- /scoreboard -->";
 
 /// What the marks mean.
-pub(super) const MARKS: &str = "✓ as Coulomb–Signorini demands · ≈ different, as the engine's declared law predicts · ✗ fails · ! errored · – \
-    the engine does not do this";
+pub(super) const MARKS: &str = "✓ as Coulomb–Signorini demands · ≈ different, as the engine's declared law predicts · ✗ fails · \
+    ! errored · – the engine does not do this";
 
 /// The mark of a verdict in a table.
 pub(super) fn mark(verdict: Verdict) -> &'static str {

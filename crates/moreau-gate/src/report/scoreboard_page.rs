@@ -43,7 +43,11 @@ fn counts(standings: &[Standing], causes: &[Cause]) -> Markup {
     let verdicts = || ORDER.iter().rev().copied();
     html! {
         table.engines {
-            thead { tr { th { "engine" } @for verdict in verdicts() { th { (mark(verdict)) " " (verdict.word()) } } th { "causes of ✗ and !" } } }
+            thead { tr {
+                th { "engine" }
+                @for verdict in verdicts() { th { (mark(verdict)) " " (verdict.word()) } }
+                th { "causes of ✗ and !" }
+            } }
             tbody {
                 @for standing in standings {
                     tr {
