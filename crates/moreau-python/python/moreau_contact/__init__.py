@@ -17,7 +17,6 @@ from ._native import Certificate, Motion, Problem, Report, Solution, __version__
 
 __all__ = [
     "Certificate", "EngineError", "FileError", "InvalidInput", "MoreauError", "Motion", "Problem", "QUICK", "Rejected", "Report", "SWEEP",
-    "Solution", "SolverError", "Unsupported", "__version__", "certify", "checks", "claims", "gate", "protocol_check", "scenes", "serve", "simulate", "solve",
-    "solvers",
-    "verify",
+    "Solution", "SolverError", "Unsupported", "__version__", "certify", "checks", "claims", "gate", "protocol_check", "scenes", "serve",
+    "simulate", "solve", "solvers", "verify",
 ]

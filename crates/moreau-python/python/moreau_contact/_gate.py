@@ -67,8 +67,8 @@ def gate(
     repeats : how often all is measured; 3 give a baseline its spread.
     time_limit, start_limit : seconds for a reply, and for the first, of a command or an isolated class.
 
-    progress : called after each check with its name, verdict and seconds; on a terminal a bar is shown as well. The whole quick
-        sweep asks for some ten minutes of simulated motion in steps of down to 1 ms: an engine in pure Python takes minutes.
+    progress : called after each check with its name, verdict and seconds; on a terminal a bar is shown as well. All checks
+        of the quick sweep are hundreds of motions in steps of down to 1 ms: an engine in pure Python takes minutes.
 
     Returns
     -------
