@@ -97,8 +97,9 @@ impl Report {
         let Some(first) = parts.first() else {
             return Err(invalid(py, "parts", "is empty", "give at least one report"));
         };
-        if let Some(other) = parts.iter().find(|part| part.report.engine.name != first.report.engine.name) {
-            let problem = format!("is of `{}` and of `{}`", first.report.engine.name, other.report.engine.name);
+        let of = |part: &Report| format!("{} {} with the options {}", part.engine(), part.version(), options_of(part));
+        if let Some(other) = parts.iter().find(|part| of(part) != of(first)) {
+            let problem = format!("is of {} and of {}", of(first), of(other));
             return Err(invalid(py, "parts", problem, "join the reports of one engine"));
         }
         let mut sweep: Vec<f64> = parts.iter().flat_map(|part| &part.report.sweep).copied().collect();
@@ -110,6 +111,13 @@ impl Report {
             steps.sort_by(|one, other| other.time_step.unwrap_or(0.0).total_cmp(&one.time_step.unwrap_or(0.0)));
             steps
         };
+        let twice = checks::all().find(|check| {
+            let steps: Vec<_> = steps_of(check.name).into_iter().map(|step| step.time_step).collect();
+            steps.windows(2).any(|pair| pair[0] == pair[1])
+        });
+        if let Some(check) = twice {
+            return Err(invalid(py, "parts", format!("has `{}` twice at one time step", check.name), "give each measurement once"));
+        }
         let outcomes = checks::all().map(|check| (check.name, steps_of(check.name))).filter(|(_, steps)| !steps.is_empty());
         let checks = outcomes.map(|(name, steps)| CheckOutcome::new(name, steps)).collect();
         let times = parts.iter().flat_map(|part| part.times.clone()).collect();
@@ -162,6 +170,11 @@ impl Report {
         let counts = self.counts().into_iter().map(|(word, count)| format!("{count} {word}")).collect::<Vec<_>>().join(", ");
         format!("Report({:?}, {counts})", self.report.engine.name)
     }
+}
+
+/// The options of an engine, as JSON.
+fn options_of(report: &Report) -> String {
+    serde_json::Value::Object(report.report.engine.options.clone()).to_string()
 }
 
 fn loads<'py>(py: Python<'py>, text: moreau::Result<String>) -> PyResult<Bound<'py, PyAny>> {

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -22,7 +23,7 @@ def solve(
     u_free: ArrayLike | None = None,
     mu: ArrayLike | float | None = None,
     *,
-    law: str = "coulomb",
+    law: str | None = None,
     directions: int | None = None,
     shift: ArrayLike | None = None,
     solver: str = "auto",
@@ -42,7 +43,7 @@ def solve(
     u_free : contact velocities without contact impulses, H v_free [m/s], one per row: normal, tangent₁, tangent₂ of the
         first contact, then of the second.
     mu : coefficients of friction, one number (contacts of 3 rows) or one per contact.
-    law : "coulomb", "associated", "frictionless", "polyhedral-coulomb" or "polyhedral-associated".
+    law : "coulomb" (where it is absent), "associated", "frictionless", "polyhedral-coulomb" or "polyhedral-associated".
     directions : friction directions of a polyhedral law, 2 in the plane.
     shift : added to u in the law [m/s], one per row.
     solver : one of `solvers()`.
@@ -141,6 +142,9 @@ def simulate(
         scene = dict(scene)
     words: list[str] = []
     for name, value in options.items():
+        if not re.fullmatch("[a-z][a-z_]*", name) or name == "help":
+            cure = "`moreau simulate --help` has the options of every scheme"
+            raise InvalidInput(f"`{name}`: is no option of a scheme; {cure}", name, "is no option of a scheme", cure)
         option = "--" + name.replace("_", "-")
         if value is True:
             words.append(option)
