@@ -24,6 +24,20 @@ pub fn keep_input(input: &Path, option: &str, output: Option<&Path>) -> Result<(
     }
 }
 
+/// Refuses results that would be written over an input or over each other; an output comes with its option.
+///
+/// # Errors
+/// [`Error::Invalid`] names the option.
+pub fn keep_files(inputs: &[&Path], outputs: &[(&'static str, &Path)]) -> Result<()> {
+    for (k, (option, file)) in outputs.iter().enumerate() {
+        inputs.iter().try_for_each(|input| keep_input(input, option, Some(file)))?;
+        if let Some((other, _)) = outputs[..k].iter().find(|(_, other)| is_same_file(other, file) || other == file) {
+            return Err(Error::invalid(*option, format!("is the same file as {other}"), "give each its own file"));
+        }
+    }
+    Ok(())
+}
+
 /// Refuses to draw an SVG picture into a file that is named as something else.
 ///
 /// # Errors

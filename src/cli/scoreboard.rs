@@ -9,10 +9,11 @@ use crate::gate::process::end_engines_on_interrupt;
 use crate::gate::runner::{QUICK, SWEEP};
 use crate::gate::scoreboard::{Engines, Entry, Standing};
 use crate::gate::{Check, checks};
-use crate::report::gate::{scoreboard, terminal};
+use crate::report::gate::{scoreboard, scoreboard_page, terminal};
 use crate::report::json::pretty;
 use crate::{Error, Result};
 use indicatif::{ProgressBar, ProgressStyle};
+use jiff::Zoned;
 use std::path::{Path, PathBuf};
 
 /// The list of engines and the stored results of a checkout.
@@ -52,7 +53,7 @@ pub struct Arguments {
     /// Engines of one kind that run at once.
     #[arg(long, value_name = "NUMBER", default_value_t = 1)]
     jobs: usize,
-    /// Write the table with every number as one self-contained HTML page.
+    /// Write the table with every number as one self-contained HTML page: a mark leads to the number that decided it, and to the cause.
     #[arg(long, value_name = "FILE")]
     html: Option<PathBuf>,
     /// Replace the section between `<!-- scoreboard -->` and `<!-- /scoreboard -->` of this file; docs/scoreboard.md is where the table
@@ -181,7 +182,7 @@ fn show(arguments: &Arguments, standings: &[Standing], causes: &[Cause]) -> Resu
     let text = scoreboard::section(standings, causes);
     let mut files: Vec<(&Path, String)> = Vec::new();
     if let Some(file) = &arguments.html {
-        files.push((file, scoreboard::html(standings, causes)?));
+        files.push((file, scoreboard_page::html(standings, causes, Zoned::now().date())));
     }
     if let Some(file) = &arguments.readme {
         files.push((file, section::replaced(file, MARKERS, &text)?));

@@ -12,6 +12,7 @@ pub mod json;
 pub mod lcp_proof;
 pub mod matrix;
 pub mod motion;
+pub mod motion_page;
 pub mod no_answer;
 pub mod peers;
 pub mod problems;

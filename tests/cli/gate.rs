@@ -35,6 +35,8 @@ fn every_output_is_written_and_read_back() {
     let read = |name: &str| std::fs::read_to_string(name).unwrap_or_else(|error| panic!("{name}: {error}"));
     assert!(read(&junit).contains("<testcase name=\"flight/projectile\""));
     assert!(read(&html).starts_with("<!DOCTYPE html>") && !read(&html).contains("src="), "self-contained");
+    let made = format!("Judged by moreau {} on 20", env!("CARGO_PKG_VERSION"));
+    assert!(read(&html).contains(&made), "{made}");
     assert!(serde_json::from_str::<moreau::gate::Report>(&read(&out)).is_ok());
     let run = gate(&["--baseline", &baseline], "moreau-jean");
     assert_eq!(run.code, 0, "{}", run.output);

@@ -14,6 +14,7 @@ mod schema;
 mod scoreboard;
 mod shell;
 mod simulate;
+mod simulate_page;
 mod solve;
 mod steps;
 mod systems;

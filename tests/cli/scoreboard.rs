@@ -38,7 +38,10 @@ fn an_engine_is_judged_stored_and_rendered_and_a_missing_one_is_not_run() {
 
     // an engine that is no longer there keeps its stored result
     let engines = list(&[entry("ours", &["/no/such/engine"])]);
-    let run = scoreboard(&folder, &engines, &["--format", "json"]);
+    let html = folder.path("page.html");
+    let run = scoreboard(&folder, &engines, &["--format", "json", "--html", &html]);
+    let page = std::fs::read_to_string(&html).expect("the page");
+    assert!(page.contains(&format!("Written by moreau {} on 20", env!("CARGO_PKG_VERSION"))) && page.contains("id=\"engine:ours\""));
     assert!(run.message.contains("the stored result stays"), "{}", run.message);
     assert_eq!(run.json()["engines"][0]["report"]["engine"]["name"], "anitescu");
 }

@@ -103,8 +103,13 @@ pub fn from_toml(text: &str) -> Result<Vec<Cause>> {
 
 /// The cause of a cell.
 pub fn find<'a>(causes: &'a [Cause], engine: &str, check: &str) -> Option<&'a Cause> {
+    causes.iter().find(|cause| is_of(cause, engine, check))
+}
+
+/// Whether it is the cause of this cell.
+pub fn is_of(cause: &Cause, engine: &str, check: &str) -> bool {
     let names = |list: &[String], name: &str| list.iter().any(|one| one == name);
-    causes.iter().find(|cause| names(&cause.engines, engine) && names(&cause.checks, check))
+    names(&cause.engines, engine) && names(&cause.checks, check)
 }
 
 /// One line for each failed or errored cell without a stored cause, for each cell with two causes, and for each cause of a cell that

@@ -14,6 +14,11 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+/// The day by Python's clock, as ISO 8601 writes it.
+fn today(py: Python<'_>) -> PyResult<String> {
+    py.import("datetime")?.getattr("date")?.call_method0("today")?.call_method0("isoformat")?.extract()
+}
+
 /// What the gate found; true where something was answered, nothing is bad, and nothing became worse than the baseline.
 #[pyclass(frozen, module = "moreau_contact")]
 pub struct Report {
@@ -77,7 +82,7 @@ impl Report {
 
     /// The same report beside a baseline, of which it may hold a part: some checks, some of its time steps.
     fn compare(&self, py: Python<'_>, file: PathBuf) -> PyResult<Self> {
-        let today = py.import("datetime")?.getattr("date")?.call_method0("today")?.call_method0("isoformat")?.extract::<String>()?;
+        let today = today(py)?;
         let compared = Baseline::read(&file).and_then(|baseline| {
             let today = today.parse().map_err(|error| moreau::Error::Unsupported(format!("the date {today} is none: {error}")))?;
             baseline.at(&self.report.sweep).compare(&self.report, today).map_err(|error| error.in_file(&file))
@@ -130,9 +135,11 @@ impl Report {
         baseline: Option<PathBuf>,
     ) -> PyResult<()> {
         let mut texts: Vec<(PathBuf, String)> = Vec::new();
+        let day = today(py)?;
+        let day = || day.parse().map_err(|error| moreau::Error::Unsupported(format!("the date {day} is none: {error}")));
         for (file, text) in [
             (json, &(|| pretty(&self.report)) as &dyn Fn() -> moreau::Result<String>),
-            (html, &|| page::html(&self.report, self.changes.as_deref())),
+            (html, &|| page::html(&self.report, self.changes.as_deref(), day()?)),
             (junit, &|| junit::xml(&self.report, self.changes.as_deref(), &self.times)),
             (baseline, &|| Baseline::of(&self.report).to_toml()),
         ] {

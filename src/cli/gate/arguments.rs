@@ -65,7 +65,7 @@ pub struct Arguments {
     /// Write the report as JUnit XML.
     #[arg(long, value_name = "FILE")]
     pub junit: Option<PathBuf>,
-    /// Write the report as one self-contained HTML page.
+    /// Write the report as one self-contained HTML page, what fails first.
     #[arg(long, value_name = "FILE")]
     pub html: Option<PathBuf>,
     /// Write the report as JSON.
