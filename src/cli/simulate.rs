@@ -5,13 +5,14 @@ use super::certificate_options::CertificateOptions;
 use super::dump_options::DumpOptions;
 use super::limits::CommonOptions;
 use super::number::seconds;
-use super::output::{keep_files, no_answer, print, require_svg};
+use super::output::{keep_files, no_answer, print, print_aside, require_svg, style};
 use super::progress;
 use super::scene::{count_steps, find, for_scheme, plastic_if_needed, positive};
 use super::scheme_options::SchemeOptions;
 use super::solver_table::{self, check_name, with_table};
 use super::{Answer, Format};
 use crate::files::write_together;
+use crate::report::deepest;
 use crate::report::json::pretty;
 use crate::report::motion::MotionReport;
 use crate::report::motion_page::MotionPage;
@@ -30,8 +31,8 @@ use std::path::{Path, PathBuf};
 /// Where scheme or solver is a declared number of sweeps (bullet, xpbd, pbd, sequential-impulses, gauss-pgs), which promises no solution,
 /// rejected answers are counted as “unconverged by declaration”, and the exit code is 0.
 /// The summary tells penetration, energy, restitution, rest and creep with units, and the distance from the closed
-/// form where the scene has one. The picture shows position, velocity and energy over time, with the closed form
-/// beneath.
+/// form where the scene has one; what rounding alone can make of a number is shown as 0. The picture shows position, velocity and energy
+/// over time, with the closed form beneath. A penetration that is deep for the size of the body is remarked on.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
@@ -148,13 +149,17 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
         note,
         closed_form: exact.as_ref().map(ExactMotion::law),
         quantities: motion.summary(),
+        remarks: scene.iter().filter_map(|scene| deepest::remark(&recording, mechanism, scene)).collect(),
         steps: StepSummary::of(&recording, mechanism),
     };
     write(arguments, &motion, scene.as_ref(), &summary)?;
     print(&match arguments.common.format {
-        Format::Text => summary.text(),
+        Format::Text => summary.text(style()),
         Format::Json => pretty(&summary)?,
     })?;
+    if arguments.common.format == Format::Text {
+        summary.remarks.iter().for_each(|remark| print_aside(&format!("remark: {remark}\n")));
+    }
     Ok(arguments.certificate.answer(summary.steps.rejected > 0))
 }
 
@@ -163,7 +168,7 @@ fn write(arguments: &Arguments, motion: &MotionReport, scene: Option<&Scene>, su
     let title = format!("{}, {}, h = {} s", motion.recording.mechanism, motion.recording.scheme, motion.recording.time_step);
     let mut files: Vec<(&Path, String)> = Vec::new();
     if let Some(file) = &arguments.plot {
-        files.push((file, plot::svg(&title, &motion.panels())?));
+        files.push((file, plot::svg_with_note(&title, &motion.left_out(), &motion.panels())?));
     }
     if let (Some(file), Some(scene)) = (&arguments.out, scene) {
         let engine = Producer::ours(&motion.recording.scheme, summary.solver);
@@ -222,6 +227,10 @@ impl Arguments {
     }
 }
 
+/// What the list does not show.
+const EXPLAINED: &str = "`moreau systems` says what each scheme is and how closely it agrees with its engine, `moreau solve --help` which \
+                         laws a solver takes, `moreau verify --list --search NAME` what the chapter says of them.";
+
 fn solver_names() -> Vec<&'static str> {
     solvers::ALL.names().collect()
 }
@@ -236,6 +245,9 @@ fn list(format: Format) -> Result<()> {
         let described: Vec<_> = scenes.iter().map(entry).collect();
         return print(&pretty(&serde_json::json!({"scenes": described, "schemes": schemes::NAMES, "solvers": solver_names()}))?);
     }
-    let described: String = scenes.iter().map(|(name, description)| format!("  {name:16} {description}\n")).collect();
-    print(&format!("scenes\n{described}schemes\n  {}\nsolvers\n  {}\n", schemes::NAMES.join("\n  "), solver_names().join("\n  ")))
+    let style = style();
+    let line = |(name, description): &(String, String)| style.wrapped("  ", &" ".repeat(19), &format!("{name:16} {description}")) + "\n";
+    let described: String = scenes.iter().map(line).collect();
+    let (schemes, solvers) = (schemes::NAMES.join("\n  "), solver_names().join("\n  "));
+    print(&format!("scenes\n{described}schemes\n  {schemes}\nsolvers\n  {solvers}\n\n{}\n", style.wrapped("", "", EXPLAINED)))
 }

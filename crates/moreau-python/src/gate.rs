@@ -131,7 +131,7 @@ pub fn protocol_check(py: Python<'_>, command: Vec<String>, time_limit: f64) -> 
     let limits = Limits { reply, start: reply, ..Limits::default() };
     let outcome = interrupt::watched(py, || conformance::conformance(&command, limits), end_engines)?;
     let outcome = outcome.map_err(|fault| cannot_run(py, &Refusal::errored(fault)))?;
-    Ok((conformance_text(&outcome, Style { colour: false }), pretty(&outcome).python(py)?, outcome.is_sound()))
+    Ok((conformance_text(&outcome, Style::PLAIN), pretty(&outcome).python(py)?, outcome.is_sound()))
 }
 
 /// What the probes find wrong with an engine that describes itself.

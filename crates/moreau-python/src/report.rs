@@ -162,8 +162,8 @@ impl Report {
     }
 
     fn __str__(&self) -> String {
-        let changes = self.changes.as_deref().map(text::changes).unwrap_or_default();
-        text::table(&self.report, Style { colour: false }) + &changes
+        let changes = self.changes.as_deref().map(|changes| text::changes(changes, Style::PLAIN)).unwrap_or_default();
+        text::table(&self.report, Style::PLAIN) + &changes
     }
 
     fn __repr__(&self) -> String {

@@ -204,7 +204,7 @@ impl Arguments {
 
     fn show(&self, report: &Report, changes: Option<&[Change]>) -> Result<()> {
         print(&match self.format {
-            Format::Text => text::table(report, style()) + &changes.map(text::changes).unwrap_or_default(),
+            Format::Text => text::table(report, style()) + &changes.map(|changes| text::changes(changes, style())).unwrap_or_default(),
             Format::Json => pretty(&serde_json::json!({"report": report, "changes": changes}))?,
         })
     }

@@ -8,6 +8,7 @@ pub mod page;
 mod plot;
 pub mod scoreboard;
 pub mod scoreboard_page;
+pub mod terminal;
 pub mod text;
 
 use crate::{CheckOutcome, Measurement, Report, StepOutcome, Verdict};

@@ -74,7 +74,7 @@ pub(super) fn counted(engine: &str, report: &Report, causes: &[Cause]) -> String
 }
 
 /// The marks of a family's checks.
-fn marks(report: &Report, family: &str) -> String {
+pub(super) fn marks(report: &Report, family: &str) -> String {
     let of_family = |outcome: &&CheckOutcome| outcome.check.split('/').next() == Some(family);
     report.checks.iter().filter(of_family).map(|outcome| mark(outcome.verdict)).collect()
 }

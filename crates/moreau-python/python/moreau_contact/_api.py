@@ -154,17 +154,17 @@ def simulate(
 
 
 def claims(search: str | Sequence[str] | None = None) -> list[dict[str, Any]]:
-    """The claims of the chapter as they are recorded: id, section, statement, verdict, kind, evidence, correct_statement, …
+    """The claims of the chapter as they are recorded: id, section, title, statement, verdict, kind, evidence, correct_statement, …
 
     Parameters
     ----------
-    search : words that id, statement or correction must all have, in any case.
+    search : words that id, title, statement or correction must all have, in any case.
 
     >>> [claim["verdict"] for claim in claims("copositive-plus") if claim["id"] == "S4.copos-plus"]
     ['FALSE AS STATED']
     """
     words = (search if isinstance(search, str) else " ".join(search or [])).lower().split()
-    has = ("id", "statement", "correct_statement")
+    has = ("id", "title", "statement", "correct_statement")
     return [claim for claim in json.loads(_native.claims()) if all(any(word in claim[field].lower() for field in has) for word in words)]
 
 
