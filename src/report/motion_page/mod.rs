@@ -6,6 +6,7 @@ mod data;
 
 use super::gate::frame::{VERSION, document, scrolled};
 use super::motion::{MotionReport, Quantity};
+use super::quantity::shown;
 use super::summary::MotionSummary;
 use crate::Result;
 use crate::number::{significant, with_unit};
@@ -156,8 +157,8 @@ fn numbers(quantities: &[Quantity]) -> Markup {
         details {
             summary { "Numbers of the whole motion" }
             table {
-                @for Quantity { name, value, unit } in quantities {
-                    @if let Some(value) = value { tr { th scope="row" { (name) } td.n { (with_unit(&significant(*value), unit)) } } }
+                @for one in quantities {
+                    @if let Some(value) = one.value { tr { th scope="row" { (one.name) } td.n { (shown(value, one.unit, one.rounding)) } } }
                 }
             }
         }
