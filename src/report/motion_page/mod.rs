@@ -5,8 +5,8 @@ mod acting;
 mod data;
 
 use super::gate::frame::{VERSION, document, scrolled};
-use super::motion::MotionReport;
-use super::quantity::{Quantity, shown};
+use super::motion::{MotionReport, Quantity};
+use super::quantity::shown;
 use super::summary::MotionSummary;
 use crate::Result;
 use crate::number::{significant, with_unit};
@@ -55,6 +55,7 @@ impl MotionPage<'_> {
                 }
                 p class={ "steps " (self.verdict()) } { (summary.steps.text().trim_end()) "." }
                 @if let Some(note) = summary.note { p { "Note: " (note) "." } }
+                @for remark in &summary.remarks { p { "Remark: " (remark) } }
                 noscript { p.fail { "The motion is drawn by a script, which this browser does not run. The numbers below need none." } }
                 (stage())
                 (controls(scene, data.samples()))
@@ -156,8 +157,8 @@ fn numbers(quantities: &[Quantity]) -> Markup {
         details {
             summary { "Numbers of the whole motion" }
             table {
-                @for Quantity { name, value, unit, rounding } in quantities {
-                    @if let Some(value) = value { tr { th scope="row" { (name) } td.n { (shown(*value, unit, *rounding)) } } }
+                @for one in quantities {
+                    @if let Some(value) = one.value { tr { th scope="row" { (one.name) } td.n { (shown(value, one.unit, one.rounding)) } } }
                 }
             }
         }

@@ -22,6 +22,7 @@ fn page(steps: usize, change: impl Fn(&mut Recording)) -> (String, Value) {
         note: Some("a <note>"),
         closed_form: None,
         quantities: motion.summary(),
+        remarks: vec!["deep <i>".into()],
         steps,
     };
     let html = MotionPage { motion: &motion, scene: &scene, summary: &summary }.html().expect("a page");
@@ -55,7 +56,7 @@ fn the_worst_of_the_steps_since_the_sample_before_is_told_and_what_is_no_number_
     let expected = ["null", "null", "[1,0,0.002,1e-8,0,12]", "[0,1,0.001,1e-8,1,13]", "[2,0,null,1e-8,0,16]"];
     assert_eq!([1, 3, 4, 5, 6].map(told), expected);
     assert_eq!(data["residuals"], serde_json::json!(["normal", "normal of the stopping rule"]));
-    assert!(html.contains("<p class=\"steps fail\">") && html.contains("Note: a &lt;note&gt;."));
+    assert!(html.contains("<p class=\"steps fail\">") && html.contains("Note: a &lt;note&gt;.") && html.contains("Remark: deep &lt;i&gt;"));
 }
 
 #[test]
