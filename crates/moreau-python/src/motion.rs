@@ -126,8 +126,8 @@ impl Motion {
         self.moved.trajectory.iter().flat_map(|trajectory| &trajectory.bodies).map(|track| track.name.as_str()).collect()
     }
 
-    /// Of a body: `position` [m], samples × 3; `orientation`, unit quaternions (w, x, y, z); `linear_velocity` [m/s]; `angular_velocity` [rad/s],
-    /// world frame.
+    /// Of a body: `position` [m], samples × 3; `orientation`, unit quaternions (w, x, y, z); `linear_velocity` [m/s];
+    /// `angular_velocity` [rad/s], world frame.
     fn body<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyDict>> {
         let track = self.tracks().iter().find(|track| track.name == name);
         let track =
