@@ -74,6 +74,13 @@ pub fn work(mass: f64, gravity: f64, h: f64, energy: f64) -> f64 {
     mass * (gravity * h).powi(2) / 8.0 + SOLVED * energy
 }
 
+/// Work \[J\] of a contact that asks for a normal velocity w \[m/s\], in a step that begins with u \[m/s\]: p = m (w − u + g h), and the
+/// body leaves with w, ½ p (u + w); for w = 0 this is at most the m g² h²/8 of [`work`].
+/// Derived.
+pub fn pushing(mass: f64, gravity: f64, h: f64, velocity: f64, push: f64) -> f64 {
+    (0.5 * mass * (push - velocity + gravity * h).max(0.0) * (velocity + push)).max(0.0)
+}
+
 /// Work \[J\] that friction may do in one step: none, since it opposes the slip after the step, which it has made smaller. The solver
 /// leaves a part [`SOLVED`] of the largest impulse, at most at the speed of the throw.
 /// Derived.
