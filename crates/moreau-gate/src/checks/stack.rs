@@ -308,10 +308,12 @@ fn tipped(model: &Model, levels: usize, h: f64, steps: usize) -> Option<f64> {
 /// Refuses the check to an engine whose declared error reduction lets boxes hop.
 fn does_not_hop(bench: &Bench) -> Reply<()> {
     match Model::of(bench.description()) {
-        Model::Coulomb(limits) if limits.penetration_allowance == 0.0 && tolerance::hops(limits.error_reduction) => Err(Refusal::unsupported(
-            "the engine declares `error_reduction` of more than a third and no allowance: boxes that are pushed out hop, and where a pile \
+        Model::Coulomb(limits) if limits.penetration_allowance == 0.0 && tolerance::hops(limits.error_reduction) => {
+            Err(Refusal::unsupported(
+                "the engine declares `error_reduction` of more than a third and no allowance: boxes that are pushed out hop, and where a pile \
              of them goes is not predicted",
-        )),
+            ))
+        }
         _ => Ok(()),
     }
 }

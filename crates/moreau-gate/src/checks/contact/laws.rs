@@ -168,9 +168,8 @@ pub(super) fn increment(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
             let most = works.iter().copied().fold(f64::NEG_INFINITY, |most, work| worst(work, most));
             let ideal = Expectation::at_most(0.0, solved, "½ pᵀ(u⁻ + u⁺) ≤ 0");
             let step = 1 + works.iter().position(|work| *work == most).unwrap_or(0);
-            let law = pushed_out(&model, &thrown, step, h).map(|work| {
-                Expectation::at_most(work, solved, "declared error reduction pushes the sphere out of its measured depth")
-            });
+            let law = pushed_out(&model, &thrown, step, h)
+                .map(|work| Expectation::at_most(work, solved, "declared error reduction pushes the sphere out of its measured depth"));
             Measurement::new("largest work of the contact in a step", "J", most, ideal).predicted(law)
         }
         Kind::Compliant => {

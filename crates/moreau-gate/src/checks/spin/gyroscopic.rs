@@ -150,7 +150,7 @@ mod tests {
 
     /// The torque of the state this part of the step on: 0 is explicit, 1 implicit, ½ keeps T and ‖L‖.
     fn part(top: &FreeTop, rate: Vector3<f64>, h: f64, part: f64) -> Vector3<f64> {
-        (0..30).fold(rate, |next, _| rate + top.body_acceleration(&(rate * (1.0 - part) + next * part)) * h)
+        (0..16).fold(rate, |next, _| rate + top.body_acceleration(&(rate * (1.0 - part) + next * part)) * h)
     }
 
     fn implicit(top: &FreeTop, rate: Vector3<f64>, h: f64) -> Vector3<f64> {
@@ -185,7 +185,8 @@ mod tests {
             }
             rates
         };
-        let [ten, long] = [&TEN, &LONG[1]].map(path);
+        let ten = path(&TEN);
+        let long = if h == LONG_STEP { path(&LONG[1]) } else { Vec::new() };
         let still = move |scene: &Scene, _: usize, h: f64, t: f64| -> RigidState {
             let slow = Vector3::from(scene.bodies[0].angular_velocity).norm() < TEN.rate(h);
             let rates = if slow { &long } else { &ten };
@@ -254,7 +255,7 @@ mod tests {
 
     #[test]
     fn a_loss_beyond_that_of_implicit_steps_fails() {
-        // 0.52 of T and 0.46 of ‖L‖ are lost by implicit steps, then the box spins about the axis of its largest moment
+        // 0.52 of T and 0.46 of ‖L‖ are lost by implicit steps, then the box spins about the axis of its smallest moment
         let braked = |rate: f64| verdicts(move |top, spin, h| midpoint(top, spin, h) * (1.0 - rate * h), LONG_STEP);
         let time = LONG[1].schedule(LONG_STEP).0 as f64 * LONG_STEP;
         // T falls with twice the rate: to 1 − 0.52 − 0.05 = 0.43
