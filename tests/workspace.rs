@@ -47,17 +47,18 @@ fn targets(package: &Value) -> (Vec<String>, Vec<String>) {
 #[test]
 fn every_crate_test_program_and_documentation_is_run_by_cargo_test() {
     let metadata = metadata();
-    assert_eq!(
-        texts(&metadata, "workspace_default_members"),
-        texts(&metadata, "workspace_members"),
-        "`cargo test` would leave out a crate"
-    );
-    let packages = metadata["packages"].as_array().expect("a list");
+    // Python loads moreau-python, and its tests are Python's; it is not packed either
+    let tested = texts(&metadata, "workspace_default_members");
+    let mut left: Vec<&str> = texts(&metadata, "workspace_members").difference(&tested).copied().collect();
+    left.retain(|member| !member.contains("moreau-python"));
+    assert_eq!(left, Vec::<&str>::new(), "`cargo test` would leave out a crate");
+    let packages = metadata["packages"].as_array().expect("a list").iter().filter(|package| package["name"] != "moreau-python");
+    let packages: Vec<_> = packages.collect();
     let names: BTreeSet<&str> = packages.iter().map(|package| package["name"].as_str().expect("a name")).collect();
     let expected =
         ["moreau", "moreau-checks", "moreau-contact", "moreau-dynamics", "moreau-exact", "moreau-forms", "moreau-gate", "moreau-replicas"];
     assert_eq!(names, BTreeSet::from(expected));
-    let (run, left): (Vec<_>, Vec<_>) = packages.iter().map(targets).unzip();
+    let (run, left): (Vec<_>, Vec<_>) = packages.iter().map(|package| targets(package)).unzip();
     let (run, left) = (run.concat(), left.concat());
     println!("{}", run.join("\n"));
     // every file of tests/ is a program of its own, and all of them run

@@ -20,15 +20,16 @@ mod gate;
 mod kind;
 mod limits;
 mod man;
+pub mod motion;
 mod mujoco_options;
 mod near;
 mod number;
 mod output;
 mod owned;
-mod posed;
+pub mod posed;
 mod problem_law;
 mod problems;
-mod progress;
+pub mod progress;
 mod protocol_check;
 mod remarks;
 mod residual_names;
@@ -47,6 +48,7 @@ mod verify;
 use crate::{Error, Result};
 use answer::{Answer, Format};
 use clap::{CommandFactory, Parser, Subcommand};
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 /// Proofs-as-tests for contact time-stepping.
@@ -105,14 +107,19 @@ enum Command {
     Man(man::Arguments),
 }
 
-/// Runs the command line and returns its exit code.
+/// Runs the command line of this process and returns its exit code.
 pub fn run() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+    ExitCode::from(run_with(std::env::args_os()))
+}
+
+/// Runs a command line, which begins with the name of the command, and returns the exit code.
+pub fn run_with<T: Into<OsString> + Clone>(arguments: impl IntoIterator<Item = T>) -> u8 {
+    let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(message) => {
             // Help and usage errors print themselves; a reader that has gone away changes nothing.
             let _ = message.print();
-            return ExitCode::from(if message.use_stderr() { 2 } else { 0 });
+            return if message.use_stderr() { 2 } else { 0 };
         }
     };
     let answer = match arguments.command {
@@ -137,14 +144,14 @@ pub fn run() -> ExitCode {
     exit_code(answer)
 }
 
-fn exit_code(answer: Result<Answer>) -> ExitCode {
+fn exit_code(answer: Result<Answer>) -> u8 {
     match answer {
-        Ok(Answer::Yes) => ExitCode::SUCCESS,
-        Ok(Answer::No) => ExitCode::from(1),
-        Ok(Answer::CannotRun) => ExitCode::from(gate::CANNOT_RUN),
+        Ok(Answer::Yes) => 0,
+        Ok(Answer::No) => 1,
+        Ok(Answer::CannotRun) => gate::CANNOT_RUN,
         Err(error) => {
             output::print_aside(&format!("error: {error}\n"));
-            ExitCode::from(if is_no_answer(&error) { 1 } else { 2 })
+            if is_no_answer(&error) { 1 } else { 2 }
         }
     }
 }

@@ -8,6 +8,7 @@ use super::owned::{Owned, option};
 use crate::schemes::{self, Activation, Bullet, RestitutionRule, Scheme, SchemeParameters};
 use crate::tolerance::limits::SWEEPS;
 use crate::{Error, Result};
+use clap::Parser;
 
 /// The options of all schemes; one that does nothing in the chosen scheme is an error.
 #[derive(clap::Args)]
@@ -49,7 +50,24 @@ pub struct SchemeOptions {
     drake: DrakeOptions,
 }
 
+/// Options alone, without a command.
+#[derive(clap::Parser)]
+#[command(no_binary_name = true)]
+struct Words {
+    #[command(flatten)]
+    options: SchemeOptions,
+}
+
 impl SchemeOptions {
+    /// The options of these words, such as `--theta`, `1`.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] where they are no options of a scheme.
+    pub fn of_words(words: &[String]) -> Result<Self> {
+        let said = |error: clap::Error| error.to_string().lines().next().unwrap_or_default().trim_start_matches("error: ").to_string();
+        Words::try_parse_from(words).map(|words| words.options).map_err(|error| Error::Unsupported(said(error)))
+    }
+
     /// The scheme with this name and these parameters.
     ///
     /// # Errors

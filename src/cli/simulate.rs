@@ -7,7 +7,7 @@ use super::limits::CommonOptions;
 use super::number::seconds;
 use super::output::{keep_input, no_answer, print, require_svg};
 use super::progress;
-use super::scene::{count_steps, find, for_scheme, positive};
+use super::scene::{count_steps, find, for_scheme, plastic_if_needed, positive};
 use super::scheme_options::SchemeOptions;
 use super::solver_table::{self, check_name, with_table};
 use super::{Answer, Format};
@@ -207,20 +207,7 @@ impl Arguments {
         if let Some(duration) = self.duration {
             scene.duration = positive("--duration", duration)?;
         }
-        let restitution = self.options.restitution()?;
-        let bounces =
-            scene.material.restitution != 0.0 || scene.material.pairs.iter().any(|pair| pair.restitution.is_some_and(|e| e != 0.0));
-        let plastic = !scheme.has_restitution() && bounces;
-        if let Some(restitution) = if plastic { Some(0.0) } else { restitution } {
-            scene.material.restitution = restitution;
-            scene.material.pairs.iter_mut().for_each(|pair| pair.restitution = None);
-        }
-        let note = if self.scheme == "mujoco" {
-            "soft contact has no restitution: how far a body bounces follows from solref and solimp, not from the scene's e"
-        } else {
-            "this scheme has no restitution: every impact is plastic, e = 0 in place of the scene's"
-        };
-        Ok((scene, plastic.then_some(note)))
+        Ok(plastic_if_needed(scene, scheme, &self.scheme, self.options.restitution()?))
     }
 }
 

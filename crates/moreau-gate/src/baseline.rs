@@ -166,6 +166,16 @@ impl Baseline {
         }
     }
 
+    /// The part of it that is about these time steps; the same where one of them is not in it.
+    pub fn at(&self, steps: &[f64]) -> Self {
+        if !steps.iter().all(|h| self.sweep.contains(h)) {
+            return self.clone();
+        }
+        let here = |value: &&BaselineValue| value.time_step.is_none_or(|h| steps.contains(&h));
+        let part = |check: &BaselineCheck| BaselineCheck { values: check.values.iter().filter(here).cloned().collect(), ..check.clone() };
+        Baseline { sweep: steps.to_vec(), checks: self.checks.iter().map(part).collect(), ..self.clone() }
+    }
+
     /// Reads a baseline.
     ///
     /// # Errors

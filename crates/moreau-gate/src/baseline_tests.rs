@@ -237,3 +237,21 @@ fn another_version_and_other_options_are_told_and_compared_all_the_same() {
     assert_eq!(notes, ["the baseline is of toy 1, but the run is of 2", "the option iterations was absent in the baseline and is 50 now"]);
     assert_eq!(kinds(&then, &now), []);
 }
+
+#[test]
+fn a_part_of_the_time_steps_is_compared_with_that_part() {
+    let at =
+        |h: f64, error: f64| StepOutcome::new(Some(h), Ok(vec![Measurement::new("error", "m", error, Expectation::equal(0.0, 1.0, ""))]));
+    let of = |steps: Vec<StepOutcome>| Report {
+        sweep: steps.iter().filter_map(|step| step.time_step).collect(),
+        checks: vec![CheckOutcome::new(CHECK, steps)],
+        ..value(0.0, 0.0)
+    };
+    let baseline = Baseline::of(&of(vec![at(0.5, 0.25), at(0.25, 0.125)]));
+    let changes = |now: &Report| baseline.at(&now.sweep).compare(now, day("2026-11-21"));
+    assert_eq!(changes(&of(vec![at(0.25, 0.125)])).expect("comparable"), []);
+    let worse = changes(&of(vec![at(0.25, 0.25)])).expect("comparable");
+    assert!(worse.len() == 1 && worse[0].kind == ChangeKind::Regression, "as bad as another step was is worse here: {worse:?}");
+    assert!(changes(&of(vec![at(0.125, 0.0)])).is_err(), "a time step that the baseline does not have");
+    assert!(baseline.compare(&of(vec![at(0.25, 0.125)]), day("2026-11-21")).is_err(), "the whole baseline wants the whole run");
+}

@@ -89,10 +89,11 @@ impl Judged {
         self.relative() <= tolerance
     }
 
-    fn take(&mut self, contact: usize, at: AtContact) {
+    fn take(&mut self, contact: usize, at: AtContact, see: &mut impl FnMut(usize, usize, Part)) {
         let parts = [at.primal, at.dual, at.complementarity, at.normal, at.tangential];
         let places = [&mut self.primal, &mut self.dual, &mut self.complementarity, &mut self.normal, &mut self.tangential];
-        for (place, part) in places.into_iter().zip(parts) {
+        for (entry, (place, part)) in places.into_iter().zip(parts).enumerate() {
+            see(contact, entry, part);
             place.take(contact, part);
         }
     }
@@ -153,16 +154,38 @@ impl Judge {
         self.judge_unheld(problem, solution, unheld)
     }
 
+    /// [`Judge::judge`], which shows every residual: its contact, its place in [`Judged::entries`], and the residual. A contact that is
+    /// plainly open has none.
+    pub(super) fn judge_seen(
+        &mut self,
+        problem: &ContactProblem,
+        solution: &Solution,
+        see: impl FnMut(usize, usize, Part),
+    ) -> Result<Judged> {
+        self.scales.prepare(problem);
+        self.judge_shown(problem, solution, Unheld::default(), see)
+    }
+
     fn judge_unheld(&mut self, problem: &ContactProblem, solution: &Solution, unheld: Unheld) -> Result<Judged> {
+        self.judge_shown(problem, solution, unheld, |_, _, _| {})
+    }
+
+    fn judge_shown(
+        &mut self,
+        problem: &ContactProblem,
+        solution: &Solution,
+        unheld: Unheld,
+        mut see: impl FnMut(usize, usize, Part),
+    ) -> Result<Judged> {
         let impulse = solution.impulse.as_slice();
         self.scales.set_floors(problem, impulse);
         self.scales.set_unheld(unheld);
         self.set_law_velocity(problem, impulse);
         let law_velocity = std::mem::take(&mut self.law_velocity);
-        let judged = self.contacts(problem, solution, impulse, &law_velocity);
+        let judged = self.contacts(problem, solution, impulse, &law_velocity, &mut see);
         self.law_velocity = law_velocity;
         let mut judged = judged?;
-        self.stored_velocity(problem, solution, &mut judged);
+        self.stored_velocity(problem, solution, &mut judged, &mut see);
         Ok(judged)
     }
 
@@ -185,7 +208,7 @@ impl Judge {
 
     /// The largest relative size over the contacts at r and y, without the stored velocity; β and σ are recovered from r and y.
     pub(crate) fn measure(&mut self, problem: &ContactProblem, solution: &Solution, law_velocity: &[f64]) -> Result<f64> {
-        Ok(self.contacts(problem, solution, solution.impulse.as_slice(), law_velocity)?.relative())
+        Ok(self.contacts(problem, solution, solution.impulse.as_slice(), law_velocity, &mut |_, _, _| {})?.relative())
     }
 
     fn set_law_velocity(&mut self, problem: &ContactProblem, impulse: &[f64]) {
@@ -196,7 +219,14 @@ impl Judge {
         y.iter_mut().enumerate().for_each(|(row, y)| *y += problem.row_compliance(row) * impulse[row]);
     }
 
-    fn contacts(&mut self, problem: &ContactProblem, solution: &Solution, impulse: &[f64], law_velocity: &[f64]) -> Result<Judged> {
+    fn contacts(
+        &mut self,
+        problem: &ContactProblem,
+        solution: &Solution,
+        impulse: &[f64],
+        law_velocity: &[f64],
+        see: &mut impl FnMut(usize, usize, Part),
+    ) -> Result<Judged> {
         self.scales.set_sizes(problem, impulse, law_velocity);
         let rows = problem.rows_per_contact();
         let mut judged = Judged { loaded: self.scales.loaded(impulse), ..Default::default() };
@@ -221,7 +251,7 @@ impl Judge {
                 law => second_order(law, &here),
             };
             let uncertain = self.scales.uncertain_at(k, k * rows..(k + 1) * rows);
-            judged.take(k, AtContact { dual: uncertain.map_or(at.dual, |part| at.dual.worse(part)), ..at });
+            judged.take(k, AtContact { dual: uncertain.map_or(at.dual, |part| at.dual.worse(part)), ..at }, see);
         }
         Ok(judged)
     }
@@ -235,7 +265,13 @@ impl Judge {
     }
 
     /// Judges the stored u: its difference from W r + u_free.
-    fn stored_velocity(&self, problem: &ContactProblem, solution: &Solution, judged: &mut Judged) {
+    fn stored_velocity(
+        &self,
+        problem: &ContactProblem,
+        solution: &Solution,
+        judged: &mut Judged,
+        see: &mut impl FnMut(usize, usize, Part),
+    ) {
         let rows = problem.rows_per_contact();
         for (contact, stored) in solution.velocity.as_slice().chunks_exact(rows).enumerate() {
             let ([s_n, _, s_t], [rho_n, rho_t]) = (self.scales.at(contact), self.scales.weights[contact]);
@@ -244,7 +280,9 @@ impl Judge {
                 let row = contact * rows + at;
                 let found = self.law_velocity[row] - problem.shift()[row] - problem.row_compliance(row) * solution.impulse[row];
                 let scale = if at == 0 { normal } else { tangential };
-                judged.velocity.take(contact, Part { value: (stored - found).abs(), scale, floor: self.scales.floors[row] });
+                let part = Part { value: (stored - found).abs(), scale, floor: self.scales.floors[row] };
+                see(contact, 5, part);
+                judged.velocity.take(contact, part);
             }
         }
     }

@@ -4,6 +4,7 @@
 
 mod at_contact;
 pub mod backward;
+mod by_contact;
 pub mod complementary_cones;
 pub mod copositivity;
 mod decision;
@@ -42,6 +43,7 @@ mod step;
 pub mod uniqueness;
 pub mod verified_cholesky;
 
+pub use by_contact::{ContactResiduals, by_contact};
 pub use decision::Decision;
 pub use judge::{Judge, Judged, Worst};
 pub use part::Part;

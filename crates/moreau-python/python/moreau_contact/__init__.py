@@ -1,0 +1,21 @@
+"""Certified contact problems, simulation, claims and the gate for simulators: the project moreau, from Python.
+
+    import moreau_contact as mc
+
+    answer = mc.solve(W, u_free, mu)          # impulses r [N·s] with u = W r + u_free, certified
+    print(mc.certify(mc.Problem(W, u_free, mu), my_impulse))
+    report = mc.gate(MyEngine)                # a simulator that is a Python class, through every check
+
+All quantities are in SI units; rows stand contact by contact as normal, tangent₁, tangent₂. The package `moreau` of the
+package index is another project, a conic optimiser; this one is imported as `moreau_contact`.
+"""
+from ._api import certify, claims, scenes, simulate, solve, solvers, verify
+from ._errors import EngineError, FileError, InvalidInput, MoreauError, Rejected, SolverError, Unsupported
+from ._gate import QUICK, SWEEP, checks, gate
+from ._native import Certificate, Motion, Problem, Report, Solution, __version__
+
+__all__ = [
+    "Certificate", "EngineError", "FileError", "InvalidInput", "MoreauError", "Motion", "Problem", "QUICK", "Rejected", "Report", "SWEEP",
+    "Solution", "SolverError", "Unsupported", "__version__", "certify", "checks", "claims", "gate", "scenes", "simulate", "solve", "solvers",
+    "verify",
+]

@@ -1,0 +1,139 @@
+"""An engine that is a Python class, asked by the messages of moreau-engine/1.
+
+The class has `describe(options)`, and what it can of `simulate(scene, time_step, sample_every, options)`,
+`solve(problem, options)` and `project(friction, points, options)`; arguments and answers are those of docs/protocol.md as
+dicts, lists and numpy arrays. `raise Unsupported(reason)` says that a question cannot be expressed.
+"""
+from __future__ import annotations
+
+import ctypes
+import importlib
+import importlib.util
+import json
+import sys
+import threading
+import traceback
+from pathlib import Path
+from typing import Any
+
+from ._errors import Unsupported
+
+_running: set[int] = set()
+_lock = threading.Lock()
+
+
+def made(engine: Any) -> Any:
+    """An object of a class; what is an object, or was made by a function, as it is."""
+    return engine() if callable(engine) else engine
+
+
+def interrupt() -> None:
+    """Raises KeyboardInterrupt in every engine that is being asked; code of C is not reached before it returns."""
+    with _lock:
+        for thread in _running:
+            ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), ctypes.py_object(KeyboardInterrupt))
+
+
+def answer(engine: Any, line: str) -> str:
+    """The reply to one line."""
+    thread = threading.get_ident()
+    identity = None
+    try:
+        with _lock:
+            _running.add(thread)
+        try:
+            request = json.loads(line)
+            identity = request.get("id")
+            reply = {"id": identity, "result": _result(engine, request)}
+            return json.dumps(reply, default=_plain)
+        finally:
+            with _lock:
+                _running.discard(thread)
+    except Unsupported as reason:
+        return json.dumps({"id": identity, "unsupported": str(reason)})
+    except KeyboardInterrupt:
+        return json.dumps({"id": identity, "error": "the run was interrupted"})
+    except Exception as error:  # whatever the engine raises is its answer
+        return json.dumps({"id": identity, "error": _told(error)})
+
+
+def _result(engine: Any, request: dict[str, Any]) -> Any:
+    what = request["request"]
+    names = {"describe": (), "simulate": ("scene", "time_step", "sample_every"), "solve": ("problem",), "project": ("friction", "points")}
+    if what not in names:
+        raise Unsupported(f"request `{what}` is not implemented")
+    method = getattr(engine, what, None)
+    if method is None:
+        raise Unsupported(f"{type(engine).__name__} has no method `{what}`")
+    found = method(*(request[name] for name in names[what]), request.get("options", {}))
+    return found if what != "project" or isinstance(found, dict) else {"points": found}
+
+
+def _plain(value: Any) -> Any:
+    """Arrays and numbers of numpy as JSON has them."""
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    raise TypeError(f"a {type(value).__name__} has no form in JSON")
+
+
+def _told(error: Exception) -> str:
+    frames = traceback.extract_tb(error.__traceback__)
+    own = [frame for frame in frames if Path(frame.filename).resolve() != Path(__file__).resolve()]
+    place = f" at {Path(own[-1].filename).name}:{own[-1].lineno}" if own else ""
+    return f"{type(error).__name__}: {error}{place}"
+
+
+def address(engine: type) -> tuple[str, str]:
+    """File or module, and name, of a class, from which another process can import it."""
+    module = sys.modules.get(engine.__module__)
+    file = getattr(module, "__file__", None)
+    if "." in engine.__qualname__ or file is None:
+        from ._errors import InvalidInput
+        where = engine.__qualname__ if "." in engine.__qualname__ else engine.__module__
+        raise InvalidInput(f"`engine`: {engine.__qualname__} cannot be imported by another process (it stands in {where}); "
+                           "put the class at the top of a file", "engine", "cannot be imported by another process",
+                           "put the class at the top of a file")
+    # a package is imported by its name, anything else by its file, which need not be on the path of the child
+    return (engine.__module__ if getattr(module, "__package__", "") else str(Path(file).resolve())), engine.__qualname__
+
+
+def load(place: str, name: str) -> Any:
+    """The class from its address."""
+    if not place.endswith(".py"):
+        return getattr(importlib.import_module(place), name)
+    sys.path.insert(0, str(Path(place).parent))
+    spec = importlib.util.spec_from_file_location(Path(place).stem, place)
+    if spec is None or spec.loader is None:
+        raise ImportError(f"{place} is no Python file")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return getattr(module, name)
+
+
+def serve(engine: Any) -> None:
+    """Answers lines of standard input until `bye`; what the engine prints goes to standard error."""
+    replies, sys.stdout = sys.stdout, sys.stderr
+    for line in sys.stdin:
+        request = _object(line)
+        bye = request.get("request") == "bye"
+        reply = json.dumps({"id": request.get("id"), "result": {}}) if bye else answer(engine, line)
+        replies.write(reply + "\n")
+        replies.flush()
+        if bye:
+            return
+
+
+def _object(line: str) -> dict[str, Any]:
+    """The object on a line; an empty one where there is none, which `answer` refuses in words."""
+    try:
+        found = json.loads(line)
+    except ValueError:
+        return {}
+    return found if isinstance(found, dict) else {}
+
+
+def command(engine: type) -> list[str]:
+    """The command of a child that serves a class; it looks for modules where this process does."""
+    return [sys.executable, "-m", "moreau_contact._child", *address(engine), *filter(None, sys.path)]
+

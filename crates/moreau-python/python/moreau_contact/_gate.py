@@ -1,0 +1,130 @@
+"""The gate: a simulator through every check, in this process or in a child."""
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+from . import _engine, _native
+from ._errors import InvalidInput
+
+_registry = json.loads(_native.checks())
+#: The time steps of the quick sweep [s].
+QUICK: tuple[float, ...] = tuple(_registry["quick"])
+#: The time steps of the whole sweep [s].
+SWEEP: tuple[float, ...] = tuple(_registry["sweep"])
+
+
+def checks(only: str | Sequence[str] = (), skip: str | Sequence[str] = ()) -> list[dict[str, Any]]:
+    """The checks whose names contain a word of `only` and none of `skip`: name, family, question, derivation, source, …
+
+    >>> [check["check"] for check in checks("projection/")]
+    ['projection/regions', 'projection/boundaries', 'projection/optimality']
+    """
+    wanted, unwanted = _words(only), _words(skip)
+    for name, words in (("only", wanted), ("skip", unwanted)):
+        for word in words:
+            if not any(word in check["check"] for check in _registry["checks"]):
+                cure = "`moreau_contact.checks()` has every check"
+                raise InvalidInput(f"`{name}`: no check contains `{word}`; {cure}", name, f"no check contains `{word}`", cure)
+    return [
+        check for check in _registry["checks"]
+        if (not wanted or any(word in check["check"] for word in wanted)) and not any(word in check["check"] for word in unwanted)
+    ]
+
+
+def gate(
+    engine: Any,
+    *,
+    only: str | Sequence[str] = (),
+    skip: str | Sequence[str] = (),
+    steps: str | Sequence[float | str] = "quick",
+    options: Mapping[str, Any] | None = None,
+    baseline: str | os.PathLike[str] | None = None,
+    isolate: bool = False,
+    jobs: int = 1,
+    repeats: int = 1,
+    time_limit: float = 60.0,
+    start_limit: float | None = None,
+) -> _native.Report:
+    """Runs checks on an engine.
+
+    Parameters
+    ----------
+    engine : a class (or a function that makes an object) with `describe(options)` and what it can of
+        `simulate(scene, time_step, sample_every, options)`, `solve(problem, options)` and `project(friction, points, options)`:
+        dicts as in docs/protocol.md. Or the command of a program that speaks moreau-engine/1, a list of words.
+    only, skip : words that names of checks contain, such as "ball/".
+    steps : "quick" (three time steps), "full" (nine), or time steps [s], also as "1/240".
+    options : options for the engine.
+    baseline : a file of `Report.write(baseline=…)`; then what became worse counts, and not what is bad.
+    isolate : run the class in a child under time limits. In this process an engine that hangs cannot be stopped, and one that
+        crashes takes Python with it; Ctrl-C reaches an engine that runs Python code, and code of C when it returns.
+    jobs : engines at once; more than one is of use for commands and isolated classes.
+    repeats : how often all is measured; 3 give a baseline its spread.
+    time_limit, start_limit : seconds for a reply, and for the first, of a command or an isolated class.
+
+    Returns
+    -------
+    A Report, true where nothing is bad. `print` shows the table; `checks` has every number.
+    """
+    names = [check["check"] for check in checks(only, skip)]
+    if not names:
+        raise InvalidInput("`only`: selects no check together with `skip`", "only", "selects no check", "leave one of the two out")
+    command: list[str] = []
+    if isinstance(engine, (list, tuple)):
+        command, engine = [os.fspath(word) for word in engine], None
+    elif isolate:
+        command, engine = _engine.command(engine), None
+    for name, number in (("jobs", jobs), ("repeats", repeats)):
+        if number < 1:
+            raise InvalidInput(f"`{name}`: is {number}; use a whole number from 1", name, f"is {number}", "use a whole number from 1")
+    report = _native.gate(
+        engine, command, names, sweep(steps), json.dumps(dict(options or {})), jobs, repeats, time_limit,
+        time_limit if start_limit is None else start_limit, True,
+    )
+    return report if baseline is None else report.compare(baseline)
+
+
+def sweep(steps: str | Sequence[float | str]) -> list[float]:
+    """The time steps [s] that are meant."""
+    if steps == "quick":
+        return list(QUICK)
+    if steps == "full":
+        return list(SWEEP)
+    given = [steps] if isinstance(steps, str) else list(steps)
+    found = [_seconds(step) for step in given]
+    if not found or len(set(found)) < len(found):
+        problem = "is empty" if not found else "names a time step twice"
+        raise InvalidInput(f"`steps`: {problem}; name each time step once", "steps", problem, "name each time step once")
+    return found
+
+
+def _seconds(step: float | str) -> float:
+    try:
+        number = float(step) if not isinstance(step, str) or "/" not in step else _quotient(step)
+    except (TypeError, ValueError, ZeroDivisionError):
+        number = -1.0
+    if not 0.0 < number < float("inf"):
+        cure = "use \"quick\", \"full\", or positive seconds such as 0.001 or \"1/240\""
+        raise InvalidInput(f"`steps`: has {step!r}; {cure}", "steps", f"has {step!r}", cure)
+    return number
+
+
+def _quotient(text: str) -> float:
+    over, under = text.split("/")
+    return float(Fraction(over.strip()) / Fraction(under.strip()))
+
+
+def _words(given: str | Sequence[str]) -> list[str]:
+    return [given] if isinstance(given, str) else list(given)
+
+
+def gate_one(engine: Any, name: str, steps: Sequence[float], options: Mapping[str, Any], repeats: int, isolate: bool) -> _native.Report:
+    """One check, without the probes of the adapter: what the pytest plugin measures test by test."""
+    command: list[str] = []
+    if isolate:
+        command, engine = _engine.command(engine), None
+    return _native.gate(engine, command, [name], list(steps), json.dumps(dict(options)), 1, repeats, 60.0, 60.0, False)

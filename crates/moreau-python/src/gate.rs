@@ -1,0 +1,123 @@
+//! `gate` and `checks`: an engine that is a Python class, or a command, through the checks.
+
+use crate::engine::{PythonEngine, Shared};
+use crate::errors::{IntoPython, invalid};
+use crate::interrupt;
+use crate::report::Report;
+use moreau::cli::progress;
+use moreau::gate::process::{Limits, ProcessEngine};
+use moreau::gate::runner::{QUICK, SWEEP, run_watched};
+use moreau::gate::{Check, Engine, Options, Plan, Refusal, Run, checks as registry, conformance, planted};
+use moreau::report::json::pretty;
+use pyo3::prelude::*;
+use serde_json::json;
+use std::collections::BTreeMap;
+use std::sync::atomic::Ordering;
+use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
+
+/// Every check, a JSON list.
+#[pyfunction]
+pub fn checks(py: Python<'_>) -> PyResult<String> {
+    let entry = |check: &'static Check| {
+        let others = planted::all().filter(|planted| planted.subject.caught_by.contains(&check.name)).map(|planted| planted.name);
+        json!({
+            "check": check.name,
+            "family": check.family(),
+            "level": check.level,
+            "each_time_step": matches!(check.run, Run::EachStep(_)),
+            "question": check.question,
+            "derivation": check.derivation,
+            "source": check.source,
+            "failed_by": std::iter::once(check.control.fails).chain(others.filter(|name| *name != check.control.fails)).collect::<Vec<_>>(),
+        })
+    };
+    pretty(&json!({
+        "checks": registry::all().map(entry).collect::<Vec<_>>(),
+        "quick": QUICK,
+        "sweep": SWEEP,
+    }))
+    .python(py)
+}
+
+/// What is asked of the gate; the checks by name, the time steps as numbers.
+#[pyfunction]
+#[pyo3(signature = (engine, command, names, steps, options, jobs, repeats, time_limit, start_limit, probes))]
+#[expect(clippy::too_many_arguments, reason = "the arguments of the call in Python")]
+pub fn gate(
+    py: Python<'_>,
+    engine: Option<Py<PyAny>>,
+    command: Vec<String>,
+    names: Vec<String>,
+    steps: Vec<f64>,
+    options: &str,
+    jobs: usize,
+    repeats: usize,
+    time_limit: f64,
+    start_limit: f64,
+    probes: bool,
+) -> PyResult<Report> {
+    let checks = names.iter().map(|name| registry::find(name).ok_or_else(|| unknown(py, name))).collect::<PyResult<Vec<_>>>()?;
+    let options: Options = serde_json::from_str(options).map_err(moreau::Error::Json).python(py)?;
+    let limits =
+        Limits { reply: seconds(py, "time_limit", time_limit)?, start: seconds(py, "start_limit", start_limit)?, ..Limits::default() };
+    let shared = Shared::default();
+    let make: Box<dyn Fn() -> Box<dyn Engine> + Sync> = match engine {
+        Some(class) => {
+            let (class, shared) = (Mutex::new(class), shared.clone());
+            Box::new(move || {
+                let class = class.lock().unwrap_or_else(PoisonError::into_inner);
+                Box::new(PythonEngine::new(Python::attach(|py| class.clone_ref(py)), shared.clone()))
+            })
+        }
+        None => Box::new(move || Box::new(ProcessEngine::new(command.clone(), limits))),
+    };
+    let bar = progress::parts(0, "measurements");
+    let plan = Plan { checks, sweep: steps, options, jobs, repeats, progress: &|| bar.inc(1) };
+    bar.set_length(plan.tasks() as u64);
+    let times = Mutex::new(BTreeMap::new());
+    let work = || {
+        let adapter = if probes { misreported(make.as_ref(), &plan.options) } else { Vec::new() };
+        let heard = |_: &moreau::gate::Report, name: &'static str, time: Duration| {
+            times.lock().unwrap_or_else(PoisonError::into_inner).insert(name.to_string(), time);
+        };
+        let run = || run_watched(make.as_ref(), &plan, &heard);
+        progress::shown(&bar, run).map(|report| moreau::gate::Report { adapter, ..report })
+    };
+    let report = interrupt::watched(py, work, || {
+        shared.stopped.store(true, Ordering::Relaxed);
+        Python::attach(|py| {
+            // the engine that is being asked is told; if even that fails, its answer is awaited
+            let _ = py.import("moreau_contact._engine").and_then(|glue| glue.call_method0("interrupt"));
+        });
+    })?;
+    let report = report.map_err(|refusal| cannot_run(py, &refusal))?;
+    let motion = shared.last.lock().unwrap_or_else(PoisonError::into_inner).take();
+    let times = times.into_inner().unwrap_or_else(PoisonError::into_inner);
+    Ok(Report { report, changes: None, times, motion })
+}
+
+/// What the probes find wrong with an engine that describes itself.
+fn misreported(make: &(dyn Fn() -> Box<dyn Engine> + Sync), options: &Options) -> Vec<conformance::Probe> {
+    let mut engine = make();
+    match engine.describe(options) {
+        Ok(description) => conformance::misreported(engine.as_mut(), &description, options),
+        Err(_) => Vec::new(),
+    }
+}
+
+fn unknown(py: Python<'_>, name: &str) -> PyErr {
+    invalid(py, "only", format!("`{name}` is no check"), "`moreau_contact.checks()` has every check")
+}
+
+fn seconds(py: Python<'_>, name: &str, number: f64) -> PyResult<Duration> {
+    let limit = Duration::try_from_secs_f64(number).ok().filter(|limit| !limit.is_zero());
+    limit.ok_or_else(|| invalid(py, name, format!("is {number}"), "use a positive number of seconds"))
+}
+
+fn cannot_run(py: Python<'_>, refusal: &Refusal) -> PyErr {
+    let made = py
+        .import("moreau_contact._errors")
+        .and_then(|errors| errors.getattr("EngineError")?.call1((format!("the engine could not be run: {refusal}"),)));
+    made.map_or_else(|failure| failure, PyErr::from_value)
+}

@@ -1,0 +1,62 @@
+"""The pytest plugin on the example project: it passes, and its planted mistake fails as it should."""
+import shutil
+
+import moreau_contact as mc
+import pytest
+from conftest import PROJECT
+
+BALL = len(mc.checks("ball/"))
+
+
+@pytest.fixture
+def project(pytester, monkeypatch):
+    """A copy of examples/python, in a process of its own."""
+    for name in ("toy_engine.py", "conftest.py", "test_physics.py"):
+        shutil.copy(PROJECT / name, pytester.path / name)
+    monkeypatch.delenv("TOY_BUG", raising=False)
+    return lambda *words: pytester.runpytest_subprocess("-p", "no:cacheprovider", *words)
+
+
+def test_one_test_per_check_and_step_with_markers_by_family(project):
+    result = project("--moreau-only", "ball/", "--moreau-only", "flight/projectile", "--moreau-steps", "1/60,1/240", "-v")
+    result.assert_outcomes(passed=2 * BALL + 2)
+    result.stdout.fnmatch_lines(["*flight/projectile@1/240* PASSED*", "*ball/restitution@1/60* PASSED*"])
+    project("--moreau-only", "ball/", "--moreau-only", "flight/projectile", "--moreau-steps", "1/60", "-m", "moreau_flight").assert_outcomes(
+        passed=1, deselected=BALL)
+
+
+def test_a_mistake_fails_with_what_was_expected_measured_derived_and_drawn(project, monkeypatch, pytester):
+    monkeypatch.setenv("TOY_BUG", "1")
+    result = project("--moreau-only", "ball/restitution", "--moreau-steps", "1/240", "--junit-xml", "out.xml")
+    result.assert_outcomes(failed=1)
+    result.stdout.fnmatch_lines(["*ball/restitution at h = 0.00416667 s: fail*", "*✗ *measured*expected*", "*derivation: *", "*plot: *.svg*"])
+    pictures = list((pytester.path / "moreau-plots").glob("*.svg"))
+    assert len(pictures) == 1 and pictures[0].read_text().startswith("<svg")
+    assert "ball/restitution@1/240" in (pytester.path / "out.xml").read_text()
+
+
+def test_what_the_engine_cannot_express_is_skipped(project):
+    project("--moreau-only", "incline/stick", "--moreau-steps", "1/60").assert_outcomes(skipped=2)
+
+
+def test_a_baseline_is_saved_and_a_regression_fails(project, monkeypatch):
+    words = ("--moreau-only", "ball/", "--moreau-steps", "1/60,1/240")
+    project(*words, "--moreau-save-baseline", "baseline.toml").assert_outcomes(passed=2 * BALL)
+    project(*words, "--moreau-baseline", "baseline.toml").assert_outcomes(passed=2 * BALL)
+    monkeypatch.setenv("TOY_BUG", "1")
+    result = project(*words, "--moreau-baseline", "baseline.toml", "-k", "ball/restitution")
+    result.stdout.fnmatch_lines(["*worse than the baseline: *"])
+    assert result.ret == 1
+
+
+def test_a_project_without_an_engine_is_told_what_to_do(project, pytester):
+    (pytester.path / "conftest.py").unlink()
+    result = project("--moreau-only", "ball/restitution", "--moreau-steps", "1/60")
+    result.stdout.fnmatch_lines(["*define a fixture `moreau_engine`*"])
+    assert result.ret == 1
+
+
+def test_an_unknown_word_is_an_error(project):
+    result = project("--moreau-only", "bal/")
+    assert result.ret != 0
+    result.stdout.fnmatch_lines(["*no check contains `bal/`*"])

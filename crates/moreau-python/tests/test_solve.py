@@ -1,0 +1,183 @@
+"""Solving and certifying: closed forms, two ways in, errors."""
+import json
+import threading
+import time
+
+import moreau_contact as mc
+import numpy as np
+import pytest
+import scipy.sparse as sp
+
+# u_free and impulse of a point of 1 kg, μ = ½: it opens, sticks, slides (r_n = −u_n, r_t = −r_n/2 · u_t/‖u_t‖)
+POINTS = [([2, 3, -2], [0, 0, 0]), ([-1, 0.3, 0.2], [1, -0.3, -0.2]), ([-1, 1.8, -2.4], [1, -0.3, 0.4])]
+
+
+@pytest.mark.parametrize(("free", "impulse"), POINTS)
+def test_a_point_has_its_closed_form(free, impulse):
+    answer = mc.solve(np.eye(3), free, 0.5)
+    assert answer and answer.certificate
+    np.testing.assert_allclose(answer.impulse, impulse, atol=1e-12)
+    np.testing.assert_allclose(answer.velocity, np.add(free, impulse), atol=1e-12)
+
+
+def stack(contacts=5):
+    """Balls on each other on a line, 1 kg each, that fall at 1 m/s: M, H."""
+    rows = [[1.0 if column == row else -1.0 if column == row - 1 else 0.0 for column in range(contacts)] for row in range(contacts)]
+    return np.eye(contacts), np.array(rows)
+
+
+def test_mass_and_jacobian_dense_and_sparse_pose_the_problem_of_w():
+    mass, rows = stack()
+    free = rows @ -np.ones(5)
+    # the lowest contact carries all five: r = 5, 4, 3, 2, 1 N·s
+    for given in [(mass, rows), (sp.csr_array(mass), sp.csc_array(rows)), (sp.coo_array(mass), rows), rows @ rows.T, sp.bsr_array(rows @ rows.T)]:
+        answer = mc.solve(given, free, law="frictionless")
+        np.testing.assert_allclose(answer.impulse, [5, 4, 3, 2, 1], rtol=1e-9)
+
+
+def test_entries_that_stand_twice_are_added_as_scipy_does():
+    twice = sp.coo_array(([0.5, 0.5, 1.0, 1.0], ([0, 0, 1, 2], [0, 0, 1, 2])), shape=(3, 3))
+    np.testing.assert_array_equal(mc.Problem(twice, [-1, 0, 0], 0.5).W, np.eye(3))
+
+
+def test_arrays_of_any_order_and_kind_are_read_by_their_entries():
+    asymmetric = np.array([[1.0, 0.25], [0.125, 1.0]])
+    for W in [asymmetric, np.asfortranarray(asymmetric), asymmetric.tolist(), asymmetric.astype(np.float32), np.hstack([asymmetric] * 2)[:, ::2].copy()[:, [0, 1]]]:
+        problem = mc.Problem(W, [-1, 0], [0.5])
+        np.testing.assert_array_equal(problem.W, np.array(W, dtype=float))
+    strided = np.zeros((4, 4))[::2, ::2]
+    strided[:] = asymmetric
+    np.testing.assert_array_equal(mc.Problem(strided, np.array([-1, 9, 0, 9.0])[::2], [0.5]).W, asymmetric)
+    np.testing.assert_array_equal(mc.Problem(asymmetric, [-1, 0], [0.5]).sparse().toarray(), asymmetric)
+
+
+@pytest.mark.parametrize(
+    ("change", "field"),
+    [
+        ({"W": np.eye(4)}, "W"),
+        ({"W": np.ones(3)}, "W"),
+        ({"W": np.eye(3) * 1j}, "W"),
+        ({"W": (np.eye(3),)}, "W"),
+        ({"W": (np.zeros((3, 3)), np.eye(3))}, "M"),
+        ({"W": (np.eye(2), np.eye(3))}, ""),
+        ({"u_free": [-1, np.nan, 0]}, "u_free[1]"),
+        ({"u_free": [[-1, 0, 0]]}, "u_free"),
+        ({"u_free": "abc"}, "u_free"),
+        ({"mu": -0.5}, "mu[0]"),
+        ({"mu": [0.5, 0.5]}, "mu"),
+        ({"mu": None}, "mu"),
+        ({"law": "colomb"}, "law"),
+        ({"law": "polyhedral-coulomb"}, "directions"),
+        ({"directions": 4}, "directions"),
+        ({"shift": [1, 2]}, "shift"),
+        ({"tolerance": 0.0}, "tolerance"),
+        ({"tolerance": float("nan")}, "tolerance"),
+        ({"warm_start": [1, 2]}, "warm_start"),
+        ({"solver": "lemke", "warm_start": [1, 0, 0], "law": "polyhedral-coulomb", "directions": 4}, "warm_start"),
+    ],
+)
+def test_what_is_not_allowed_names_the_argument_and_the_cure(change, field):
+    arguments = {"W": np.eye(3), "u_free": [-1, 0, 0], "mu": 0.5} | change
+    with pytest.raises(mc.InvalidInput) as caught:
+        mc.solve(arguments.pop("W"), arguments.pop("u_free"), arguments.pop("mu"), **arguments)
+    assert caught.value.field.startswith(field) and caught.value.cure, caught.value
+    assert isinstance(caught.value, ValueError) and "--" not in str(caught.value)
+
+
+def test_an_unknown_solver_is_told_with_the_names_there_are():
+    with pytest.raises(mc.MoreauError, match="auto"):
+        mc.solve(np.eye(3), [-1, 0, 0], 0.5, solver="magic")
+    assert "auto" in mc.solvers()
+
+
+def test_an_answer_that_the_certificate_rejects_is_raised_and_kept():
+    # a box on four corners, pushed sideways: one sweep is not enough
+    corners = [(x, y, -0.1) for x in (-0.2, 0.2) for y in (-0.2, 0.2)]
+    rows = np.vstack([[[0, 0, 1, y, -x, 0], [1, 0, 0, 0, z, -y], [0, 1, 0, -z, 0, x]] for x, y, z in corners])
+    arguments = ((np.diag([2, 2, 2, 0.05, 0.05, 0.05]), rows), rows @ [1, 0, -0.1, 0, 0, 0], [0.3] * 4)
+    with pytest.raises(mc.Rejected) as caught:
+        mc.solve(*arguments, solver="pgs", iterations=1)
+    assert caught.value.status == "rejected" and not caught.value.solution and "contact" in str(caught.value)
+    assert not mc.solve(*arguments, solver="pgs", iterations=1, accept_rejected=True).certificate
+    assert mc.solve(*arguments)
+
+
+def test_that_there_is_no_solution_is_told():
+    with pytest.raises(mc.SolverError) as caught:
+        mc.solve(np.zeros((1, 1)), [-1.0], law="frictionless")
+    assert caught.value.status == "infeasible", caught.value
+
+
+def test_the_certificate_tells_each_contact():
+    problem = mc.Problem(np.eye(9), np.concatenate([free for free, _ in POINTS]), [0.5] * 3)
+    right = np.concatenate([impulse for _, impulse in POINTS]).astype(float)
+    assert mc.certify(problem, right)
+    wrong = right.copy()
+    wrong[4] += 0.25
+    certificate = mc.certify(problem, wrong)
+    assert not certificate and certificate.contacts["accepted"].tolist() == [True, False, True]
+    assert certificate.residuals["tangential"]["contact"] == 1 and certificate.residuals["tangential"]["unit"] == "N·s"
+    assert "contact 1 is refused" in str(certificate) and str(certificate).endswith("NOT a solution to the relative tolerance 1e-8")
+    assert not mc.certify(problem, right, velocity=np.zeros(9)), "a stored velocity is compared"
+    with pytest.raises(mc.InvalidInput, match="impulse"):
+        mc.certify(problem, right[:8])
+
+
+def test_a_warm_start_and_a_solution_are_taken():
+    problem = mc.Problem(np.eye(3), [-1, 1.8, -2.4], 0.5)
+    answer = mc.solve(problem)
+    assert mc.solve(problem, warm_start=answer) and mc.solve(problem, warm_start=answer.impulse) and mc.certify(problem, answer)
+    with pytest.raises(mc.InvalidInput, match="has its own data"):
+        mc.solve(problem, [1, 2, 3])
+    assert mc.solve(problem.with_law("frictionless")).impulse.tolist() == [1, 0, 0]
+
+
+def test_files_are_those_of_the_command(command, tmp_path):
+    problem = mc.Problem(np.eye(2), [-1.0, 2.0], [0.5], name="block")
+    problem.write(tmp_path / "problem.json")
+    assert mc.Problem.read(tmp_path / "problem.json").to_json() == problem.to_json() == mc.Problem.from_json(problem.to_json()).to_json()
+    command("solve", "problem.json", "--out", "theirs.json")
+    theirs = mc.Solution.read(tmp_path / "theirs.json", problem)
+    assert theirs and theirs.impulse.tolist() == mc.solve(problem).impulse.tolist() == [1.0, -0.5]
+    theirs.write(tmp_path / "ours.json")
+    printed = json.loads(command("certify", "problem.json", "ours.json", "--format", "json"))
+    own = json.loads(theirs.certificate.to_json())
+    assert printed["residuals"] == own["residuals"] and printed["solution"] is own["solution"] is True
+    with pytest.raises(mc.FileError):
+        mc.Problem.read(tmp_path / "absent.json")
+    (tmp_path / "half.json").write_text(problem.to_json()[:40])
+    with pytest.raises(mc.InvalidInput):
+        mc.Problem.read(tmp_path / "half.json")
+
+
+def test_an_lcp_is_read(tmp_path):
+    (tmp_path / "lcp.json").write_text('{"schema": "lcp/1", "name": "two", "matrix": {"shape": [2, 2], "rows": [[2, 1], [1, 2]]}, "vector": [-5, -6]}')
+    answer = mc.solve(mc.Problem.read(tmp_path / "lcp.json"))
+    np.testing.assert_allclose(answer.impulse, [4 / 3, 7 / 3], rtol=1e-12)
+
+
+def heap(contacts=700):
+    """A chain of spheres that press on each other with friction: a problem that takes a while."""
+    rng = np.random.default_rng(1)
+    rows = sp.random_array((3 * contacts, 6 * contacts // 4), density=0.01, rng=rng, format="csr")
+    rows = rows + sp.eye_array(*rows.shape)
+    return (sp.eye_array(rows.shape[1], format="csr"), rows.tocsr()), rng.normal(size=3 * contacts) - 1.0, np.full(contacts, 0.5)
+
+
+def test_other_threads_run_while_a_problem_is_solved():
+    seen, done = [], threading.Event()
+
+    def look():
+        while not done.is_set():
+            seen.append(time.perf_counter())
+            time.sleep(0.001)
+
+    watcher = threading.Thread(target=look)
+    watcher.start()
+    begin = time.perf_counter()
+    mc.solve(*heap(), solver="pgs", iterations=2000, accept_rejected=True)
+    lasted = time.perf_counter() - begin
+    done.set()
+    watcher.join()
+    gaps = np.diff(seen)
+    assert gaps.max() < 0.5 * max(lasted, 0.2), f"the lock was held for {gaps.max()} of {lasted} s"
