@@ -56,7 +56,9 @@ impl Motion {
 
     fn scene(&self, h: f64) -> Scene {
         let block = cuboid("box", 1.0, HALF_EXTENTS, [0.0; 3]);
-        let block = Body { angular_velocity: self.start(h).into(), ..block };
+        // the same moments, but given: an engine may know Euler's equations of the solid only
+        let given = (self.angle > TEN.angle).then(|| top().moments.into());
+        let block = Body { angular_velocity: self.start(h).into(), inertia: given, ..block };
         Scene { ground: None, gravity: [0.0; 3], ..over_floor("turns of a free box", vec![block], 0.0) }
     }
 
