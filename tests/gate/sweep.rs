@@ -26,13 +26,3 @@ fn slow_growth_of_a_free_spin_is_caught_by_the_whole_sweep_and_missed_by_the_qui
     let failing = outcome.steps.iter().flat_map(|step| &step.measurements).filter(|one| one.verdict() == Verdict::Fail);
     assert!(failing.map(|one| one.quantity.as_str()).all(grown));
 }
-
-#[test]
-fn tmp_alone() {
-    let mistake = planted::find("spin/slow-growth").expect("planted");
-    let all: Vec<_> =
-        checks::all().filter(|c| !c.name.starts_with("solver") && !c.name.starts_with("projection") && c.name != "stack/ten").collect();
-    let report = planted::judge(mistake, &all).expect("it describes itself");
-    let bad: Vec<_> = report.checks.iter().filter(|o| o.verdict.is_bad()).map(|o| o.check.clone()).collect();
-    panic!("{bad:?}");
-}
