@@ -99,7 +99,8 @@ fn as_floats<'py>(value: &Bound<'py, PyAny>, field: &str) -> PyResult<Bound<'py,
     let numpy = py.import(intern!(py, "numpy"))?;
     let array = numpy.call_method1(intern!(py, "asarray"), (value,));
     let real = array.and_then(|array| array.call_method1("astype", ("float64", "K", "same_kind")));
-    real.map_err(|error| invalid(py, field, format!("is no array of real numbers ({})", error.value(py)), "give an array of floats"))
+    let cure = if field == "W" { "give an array of floats, or the tuple (M, H)" } else { "give an array of floats" };
+    real.map_err(|error| invalid(py, field, format!("is no array of real numbers ({})", error.value(py)), cure))
 }
 
 fn dimensions(array: &Bound<'_, PyAny>) -> PyResult<usize> {

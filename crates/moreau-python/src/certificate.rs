@@ -31,8 +31,6 @@ pub struct Certificate {
     /// The largest relative residual that is accepted.
     #[pyo3(get)]
     tolerance: f64,
-    /// The proof that the problem has no solution, where there is one; then no answer is accepted.
-    #[pyo3(get)]
     no_solution: Option<String>,
 }
 
@@ -92,6 +90,11 @@ impl Certificate {
         Certificate { no_solution, ..self }
     }
 
+    /// The proof that there is no solution, where there is one.
+    pub fn no_solution(&self) -> Option<&str> {
+        self.no_solution.as_deref()
+    }
+
     /// Whether the answer is a solution.
     pub fn accepts(&self) -> bool {
         self.residuals.is_solution(self.tolerance) && self.no_solution.is_none()
@@ -147,6 +150,12 @@ impl Certificate {
 
 #[pymethods]
 impl Certificate {
+    /// The proof that the problem has no solution, where there is one; then no answer is accepted.
+    #[getter(no_solution)]
+    fn refutation(&self) -> Option<&str> {
+        self.no_solution()
+    }
+
     fn __bool__(&self) -> bool {
         self.accepts()
     }

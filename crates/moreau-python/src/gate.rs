@@ -4,11 +4,14 @@ use crate::engine::{PythonEngine, Shared};
 use crate::errors::{IntoPython, invalid};
 use crate::interrupt;
 use crate::report::Report;
-use moreau::cli::progress;
+use moreau::cli::progress as bars;
+use moreau::gate::baseline::Baseline;
 use moreau::gate::process::{Limits, ProcessEngine};
 use moreau::gate::runner::{QUICK, SWEEP, run_watched};
 use moreau::gate::{Check, Engine, Options, Plan, Refusal, Run, checks as registry, conformance, planted};
+use moreau::report::gate::conformance::text as conformance_text;
 use moreau::report::json::pretty;
+use moreau_checks::text::Style;
 use pyo3::prelude::*;
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -42,7 +45,7 @@ pub fn checks(py: Python<'_>) -> PyResult<String> {
 
 /// What is asked of the gate; the checks by name, the time steps as numbers.
 #[pyfunction]
-#[pyo3(signature = (engine, command, names, steps, options, jobs, repeats, time_limit, start_limit, probes))]
+#[pyo3(signature = (engine, command, names, steps, options, jobs, repeats, time_limit, start_limit, probes, progress = None))]
 #[expect(clippy::too_many_arguments, reason = "the arguments of the call in Python")]
 pub fn gate(
     py: Python<'_>,
@@ -56,6 +59,7 @@ pub fn gate(
     time_limit: f64,
     start_limit: f64,
     probes: bool,
+    progress: Option<Py<PyAny>>,
 ) -> PyResult<Report> {
     let checks = names.iter().map(|name| registry::find(name).ok_or_else(|| unknown(py, name))).collect::<PyResult<Vec<_>>>()?;
     let options: Options = serde_json::from_str(options).map_err(moreau::Error::Json).python(py)?;
@@ -72,17 +76,26 @@ pub fn gate(
         }
         None => Box::new(move || Box::new(ProcessEngine::new(command.clone(), limits))),
     };
-    let bar = progress::parts(0, "measurements");
+    let bar = bars::parts(0, "measurements");
     let plan = Plan { checks, sweep: steps, options, jobs, repeats, progress: &|| bar.inc(1) };
     bar.set_length(plan.tasks() as u64);
     let times = Mutex::new(BTreeMap::new());
     let work = || {
         let adapter = if probes { misreported(make.as_ref(), &plan.options) } else { Vec::new() };
-        let heard = |_: &moreau::gate::Report, name: &'static str, time: Duration| {
+        let heard = |report: &moreau::gate::Report, name: &'static str, time: Duration| {
             times.lock().unwrap_or_else(PoisonError::into_inner).insert(name.to_string(), time);
+            let verdict = report.checks.iter().find(|outcome| outcome.check == name).map_or("", |outcome| outcome.verdict.word());
+            if let Some(listener) = &progress {
+                // a listener that fails is told where Python tells what nobody catches, and the run goes on
+                Python::attach(|py| {
+                    if let Err(error) = listener.call1(py, (name, verdict, time.as_secs_f64())) {
+                        error.write_unraisable(py, Some(listener.bind(py)));
+                    }
+                });
+            }
         };
         let run = || run_watched(make.as_ref(), &plan, &heard);
-        progress::shown(&bar, run).map(|report| moreau::gate::Report { adapter, ..report })
+        bars::shown(&bar, run).map(|report| moreau::gate::Report { adapter, ..report })
     };
     let report = interrupt::watched(py, work, || {
         shared.stopped.store(true, Ordering::Relaxed);
@@ -95,6 +108,22 @@ pub fn gate(
     let motion = shared.last.lock().unwrap_or_else(PoisonError::into_inner).take();
     let times = times.into_inner().unwrap_or_else(PoisonError::into_inner);
     Ok(Report { report, changes: None, times, motion })
+}
+
+/// The steps [s] of a baseline that can be read.
+#[pyfunction]
+pub fn baseline_steps(py: Python<'_>, file: std::path::PathBuf) -> PyResult<Vec<f64>> {
+    Baseline::read(&file).map(|baseline| baseline.sweep).python(py)
+}
+
+/// What the probes of `moreau protocol-check` find in a child: a text, a JSON object, and whether nothing is wrong.
+#[pyfunction]
+pub fn protocol_check(py: Python<'_>, command: Vec<String>, time_limit: f64) -> PyResult<(String, String, bool)> {
+    let reply = seconds(py, "time_limit", time_limit)?;
+    let limits = Limits { reply, start: reply, ..Limits::default() };
+    let outcome = interrupt::watched(py, || conformance::conformance(&command, limits), || {})?;
+    let outcome = outcome.map_err(|fault| cannot_run(py, &Refusal::errored(fault)))?;
+    Ok((conformance_text(&outcome, Style { colour: false }), pretty(&outcome).python(py)?, outcome.is_sound()))
 }
 
 /// What the probes find wrong with an engine that describes itself.

@@ -32,7 +32,7 @@ mod _native {
     #[pymodule_export]
     use super::claims::{claims, verify};
     #[pymodule_export]
-    use super::gate::{checks, gate};
+    use super::gate::{baseline_steps, checks, gate, protocol_check};
     #[pymodule_export]
     use super::motion::{Motion, scenes, simulate};
     #[pymodule_export]

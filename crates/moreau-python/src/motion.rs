@@ -73,9 +73,9 @@ fn text_of(dict: &Bound<'_, PyDict>) -> PyResult<String> {
     dict.py().import("json")?.call_method1("dumps", (dict,))?.extract()
 }
 
-/// The name of what moves.
 #[pymethods]
 impl Motion {
+    /// The name of what moves.
     #[getter]
     fn mechanism(&self) -> &str {
         &self.moved.recording.mechanism

@@ -40,14 +40,17 @@ pub fn pose(arguments: &Arguments) -> PyResult<Problem> {
     let py = arguments.operator.py();
     let law = law_of(py, arguments.law, arguments.directions)?;
     let free = vector(arguments.u_free, "u_free")?;
+    let (rows, operator) = (free.len(), Operator::of(arguments.operator)?);
     let friction = arguments.mu.map(Friction::of).transpose()?;
+    // a free motion in place of its contact velocities would be told as a wrong number of coefficients
+    operator.fits(py, rows)?;
     if friction.is_none() && law != Law::Frictionless {
         return Err(invalid(py, "mu", "is missing", "give one number for all contacts, or one per contact; or law=\"frictionless\""));
     }
     let per_contact = rows_per_contact(py, free.len(), friction.as_ref())?;
     let friction = friction.map_or(vec![0.0; free.len() / per_contact], |friction| friction.of_each(free.len() / per_contact));
     let shift = arguments.shift.map(|shift| vector(shift, "shift")).transpose()?;
-    let (operator, name) = (Operator::of(arguments.operator)?, arguments.name);
+    let name = arguments.name;
     let built = py.detach(|| {
         let begun = operator.begin(per_contact)?.free_velocity(column(free)).rows_per_contact(per_contact);
         let begun = begun.law(law).friction(friction).name(name);
@@ -139,8 +142,26 @@ impl Operator {
             Ok(pair) => {
                 Err(invalid(given.py(), "W", format!("is a tuple of {}", pair.len()), "give W, or the tuple (M, H) of mass and Jacobian"))
             }
-            Err(_) => matrix(given, "W").map(Operator::Delassus),
+            Err(_) => match given.extract::<std::path::PathBuf>() {
+                Ok(file) => {
+                    let cure = format!("give Problem.read({:?}) alone", file.display().to_string());
+                    Err(invalid(given.py(), "W", "is the name of a file", cure))
+                }
+                Err(_) => matrix(given, "W").map(Operator::Delassus),
+            },
         }
+    }
+
+    fn fits(&self, py: Python<'_>, rows: usize) -> PyResult<()> {
+        let (of, given) = match self {
+            Operator::Delassus(matrix) => ("W", matrix.shape()[0]),
+            Operator::Mechanism(_, jacobian) => ("H", jacobian.shape()[0]),
+        };
+        if given == rows {
+            return Ok(());
+        }
+        let cure = "give H v_free, one velocity per row, not the velocities of the mechanism";
+        Err(invalid(py, "u_free", format!("has {rows} entries, and {of} has {given} rows"), cure))
     }
 
     fn begin(self, rows_per_contact: usize) -> Result<ContactProblemBuilder> {

@@ -208,6 +208,12 @@ impl Problem {
         Ok(to_vector(py, self.velocity_of(&impulse).as_slice()))
     }
 
+    /// A copy, and what is sent to another process, is read from its contact-problem/1.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (String,))> {
+        let class = py.import("moreau_contact")?.getattr("Problem")?;
+        Ok((class.getattr("from_json")?, (self.to_json(),)))
+    }
+
     fn __repr__(&self) -> String {
         let (law, name) = (self.law(), self.name());
         format!("Problem({name:?}, law={law:?}, contacts={}, rows={})", self.contacts(), self.rows())

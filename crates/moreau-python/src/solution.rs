@@ -65,6 +65,9 @@ pub fn solve(
             made = pose(&Arguments { operator: W, u_free, mu, law, directions, shift, name: "" })?;
             &made
         }
+        (Err(_), None) if W.extract::<PathBuf>().is_ok() => {
+            return Err(invalid(py, "W", "is the name of a file", "give Problem.read(file) alone"));
+        }
         (Err(_), None) => return Err(invalid(py, "u_free", "is missing", "give W, u_free and mu, or a Problem alone")),
     };
     let accepts = accepted(py, tolerance)?;
@@ -76,6 +79,14 @@ pub fn solve(
     }
     let (posed, size) = (problem.posed.clone(), posed::constraints(&problem.posed));
     let work = || answer(&posed, &*asked, start.as_ref(), accepts);
+    // a proof that there is no solution is an answer of its own, unless what the solver gives is wanted all the same
+    let work = || match work() {
+        Ok((_, certificate)) if certificate.no_solution().is_some() && !accept_rejected => {
+            let proof = certificate.no_solution().unwrap_or_default();
+            Err(Error::solver(solver, moreau::error::Failure::Infeasible, proof.trim_end()))
+        }
+        other => other,
+    };
     let found = if 3 * size < LONG {
         py.detach(work)
     } else {
@@ -114,6 +125,10 @@ fn refuted(error: Error, posed: &Posed) -> Error {
 
 /// The solver of this name, with the limit of iterations and the tolerance that were asked for.
 fn asked(name: &str, tolerance: Option<f64>, iterations: Option<usize>) -> moreau::Result<Box<dyn ContactSolver>> {
+    if !ALL.names().any(|known| known == name) {
+        let cure = format!("use one of {}", ALL.names().collect::<Vec<_>>().join(", "));
+        return Err(Error::invalid("solver", format!("`{name}` is unknown"), cure));
+    }
     let solver = ALL.with_iterations(name, iterations)?;
     let exact = tolerance.and_then(|tolerance| solver.with_tolerance(ASKED_SHARE * tolerance));
     Ok(exact.unwrap_or(solver))

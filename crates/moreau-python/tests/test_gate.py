@@ -2,6 +2,8 @@
 import json
 import os
 import signal
+import subprocess
+import sys
 import threading
 import time
 
@@ -9,7 +11,7 @@ import moreau_contact as mc
 import numpy as np
 import pytest
 import toy_engine
-from conftest import CHECKOUT
+from conftest import CHECKOUT, PROJECT
 from toy_engine import Toy
 
 DESCRIPTION = {"name": "tester", "version": "1", "precision": "double", "restitution": True, "friction": "none", "reports_contacts": False,
@@ -71,6 +73,8 @@ def test_exceptions_are_the_engines_answers():
     report = mc.gate(Raiser, only="projection/regions")
     (check,) = report.checks
     assert check["verdict"] == "errored" and "ZeroDivisionError: planted at test_gate.py:" in check["reason"]
+    with pytest.raises(mc.InvalidInput, match="list of words"):
+        mc.gate("python3 engine.py")
     with pytest.raises(mc.EngineError, match="describe"):
         mc.gate(object, only="projection/regions")
     report = mc.gate(Projector, only="ball/restitution")
@@ -91,6 +95,35 @@ def test_a_class_that_no_child_can_import_is_refused():
 
     with pytest.raises(mc.InvalidInput, match="top of a file"):
         mc.gate(Inner, only="projection/", isolate=True)
+
+
+def test_a_script_that_gates_while_it_is_imported_is_told_and_starts_no_chain_of_children(tmp_path):
+    script = tmp_path / "script.py"
+    text = "import moreau_contact as mc\nfrom toy_engine import Toy\nclass Mine(Toy): pass\nprint('begun')\n{}"
+    call = "print(mc.gate(Mine, only='ball/restitution', steps=['1/60'], isolate=True))\n"
+    run = lambda: subprocess.run([sys.executable, script], capture_output=True, text=True, env={**os.environ, "PYTHONPATH": str(PROJECT)}, timeout=60)  # noqa: E731
+    script.write_text(text.format(call))
+    assert "__main__" in run().stderr
+    script.write_text(text.format("if __name__ == '__main__':\n    " + call))
+    done = run()
+    assert done.returncode == 0 and "1 pass" in done.stdout, done.stderr
+
+
+def test_an_engine_is_served_and_its_adapter_checked(command, tmp_path):
+    sound, text = mc.protocol_check(Projector)
+    assert "describe" in text and isinstance(sound, bool)
+    (tmp_path / "served.py").write_text("import moreau_contact as mc\nfrom toy_engine import Toy\nmc.serve(Toy)\n")
+    os.environ["PYTHONPATH"] = str(PROJECT)
+    try:
+        assert "1 pass" in command("gate", "--only", "ball/restitution", "--steps", "1/60", "--", sys.executable, "served.py")
+    finally:
+        del os.environ["PYTHONPATH"]
+
+
+def test_finished_checks_are_heard():
+    heard = []
+    mc.gate(Projector, only="projection/", progress=lambda name, verdict, seconds: heard.append((name, verdict, seconds >= 0)))
+    assert heard == [(check["check"], "pass", True) for check in mc.checks("projection/")]
 
 
 def test_ctrl_c_ends_the_run():

@@ -29,7 +29,7 @@ def test_a_mistake_fails_with_what_was_expected_measured_derived_and_drawn(proje
     monkeypatch.setenv("TOY_BUG", "1")
     result = project("--moreau-only", "ball/restitution", "--moreau-steps", "1/240", "--junit-xml", "out.xml")
     result.assert_outcomes(failed=1)
-    result.stdout.fnmatch_lines(["*ball/restitution at h = 0.00416667 s: fail*", "*✗ *measured*expected*", "*derivation: *", "*plot: *.svg*"])
+    result.stdout.fnmatch_lines(["*(ball/restitution at h = 1/240 s: fail)*", "*✗ *measured*expected*", "*derivation: *", "*plot: *.svg*"])
     pictures = list((pytester.path / "moreau-plots").glob("*.svg"))
     assert len(pictures) == 1 and pictures[0].read_text().startswith("<svg")
     assert "ball/restitution@1/240" in (pytester.path / "out.xml").read_text()
@@ -45,7 +45,7 @@ def test_a_baseline_is_saved_and_a_regression_fails(project, monkeypatch):
     project(*words, "--moreau-baseline", "baseline.toml").assert_outcomes(passed=2 * BALL)
     monkeypatch.setenv("TOY_BUG", "1")
     result = project(*words, "--moreau-baseline", "baseline.toml", "-k", "ball/restitution")
-    result.stdout.fnmatch_lines(["*worse than the baseline: *"])
+    result.stdout.fnmatch_lines(["*(ball/restitution at h = 1/60 s: worse than the baseline)*"])
     assert result.ret == 1
 
 
@@ -56,7 +56,22 @@ def test_a_project_without_an_engine_is_told_what_to_do(project, pytester):
     assert result.ret == 1
 
 
-def test_an_unknown_word_is_an_error(project):
-    result = project("--moreau-only", "bal/")
-    assert result.ret != 0
-    result.stdout.fnmatch_lines(["*no check contains `bal/`*"])
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [(["--moreau-only", "bal/"], "*no check contains `bal/`*"), (["--moreau-steps", "1/0"], "*`steps`: has '1/0'*"),
+     (["--moreau-baseline", "absent.toml"], "*absent.toml*")],
+)
+def test_what_is_wrong_with_the_options_is_told_before_anything_is_measured(project, words, told):
+    result = project(*words)
+    assert result.ret == pytest.ExitCode.USAGE_ERROR
+    result.stderr.fnmatch_lines([told])
+
+
+def test_a_hanging_engine_is_ended_by_the_time_limit(project, pytester):
+    pytester.path.joinpath("conftest.py").write_text(
+        "import pytest, time\nfrom toy_engine import Toy\n"
+        "class Hanging(Toy):\n    def simulate(self, *_):\n        time.sleep(1000)\n"
+        "@pytest.fixture(scope='session')\ndef moreau_engine():\n    return Hanging\n")
+    result = project("--moreau-only", "ball/restitution", "--moreau-steps", "1/60", "--moreau-isolate", "--moreau-time-limit", "8")
+    result.assert_outcomes(failed=1)
+    result.stdout.fnmatch_lines(["*no reply within 8*"])

@@ -1,5 +1,7 @@
 """Solving and certifying: closed forms, two ways in, errors."""
+import copy
 import json
+import pickle
 import threading
 import time
 
@@ -54,12 +56,14 @@ def test_arrays_of_any_order_and_kind_are_read_by_their_entries():
 @pytest.mark.parametrize(
     ("change", "field"),
     [
-        ({"W": np.eye(4)}, "W"),
+        ({"W": np.ones((3, 4))}, "W"),
         ({"W": np.ones(3)}, "W"),
         ({"W": np.eye(3) * 1j}, "W"),
         ({"W": (np.eye(3),)}, "W"),
         ({"W": (np.zeros((3, 3)), np.eye(3))}, "M"),
         ({"W": (np.eye(2), np.eye(3))}, ""),
+        ({"solver": "magic"}, "solver"),
+        ({"W": np.eye(6)}, "u_free"),
         ({"u_free": [-1, np.nan, 0]}, "u_free[1]"),
         ({"u_free": [[-1, 0, 0]]}, "u_free"),
         ({"u_free": "abc"}, "u_free"),
@@ -102,10 +106,28 @@ def test_an_answer_that_the_certificate_rejects_is_raised_and_kept():
     assert mc.solve(*arguments)
 
 
-def test_that_there_is_no_solution_is_told():
+@pytest.mark.parametrize("arguments", [(np.zeros((1, 1)), [-1.0], [0.0]), (np.zeros((3, 3)), [-1, 0, 0], 0.3), (-np.eye(3), [-1, 0, 0], 0.3)])
+def test_that_there_is_no_solution_is_told(arguments):
     with pytest.raises(mc.SolverError) as caught:
-        mc.solve(np.zeros((1, 1)), [-1.0], law="frictionless")
+        mc.solve(*arguments)
     assert caught.value.status == "infeasible", caught.value
+    assert not isinstance(caught.value, mc.Rejected)
+
+
+def test_free_motion_in_place_of_contact_velocities_and_files_in_place_of_arrays_are_told():
+    mass, rows = stack()
+    with pytest.raises(mc.InvalidInput, match="H has 6 rows") as caught:
+        mc.solve((mass, np.vstack([rows, rows[:1]])), np.zeros(5), law="frictionless")
+    assert caught.value.field == "u_free"
+    for wrong in [lambda: mc.solve("problem.json"), lambda: mc.Problem("problem.json", [0.0]), lambda: mc.certify("problem.json", [0.0])]:
+        with pytest.raises(mc.InvalidInput, match="Problem"):
+            wrong()
+
+
+def test_a_problem_is_copied_and_sent_to_other_processes():
+    problem = mc.Problem(np.eye(2), [-1.0, 2.0], [0.5], name="block")
+    for again in [pickle.loads(pickle.dumps(problem)), copy.deepcopy(problem)]:
+        assert again.to_json() == problem.to_json()
 
 
 def test_the_certificate_tells_each_contact():

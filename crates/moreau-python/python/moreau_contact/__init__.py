@@ -10,12 +10,13 @@ All quantities are in SI units; rows stand contact by contact as normal, tangent
 package index is another project, a conic optimiser; this one is imported as `moreau_contact`.
 """
 from ._api import certify, claims, scenes, simulate, solve, solvers, verify
+from ._engine import serve
 from ._errors import EngineError, FileError, InvalidInput, MoreauError, Rejected, SolverError, Unsupported
-from ._gate import QUICK, SWEEP, checks, gate
+from ._gate import QUICK, SWEEP, checks, gate, protocol_check
 from ._native import Certificate, Motion, Problem, Report, Solution, __version__
 
 __all__ = [
     "Certificate", "EngineError", "FileError", "InvalidInput", "MoreauError", "Motion", "Problem", "QUICK", "Rejected", "Report", "SWEEP",
-    "Solution", "SolverError", "Unsupported", "__version__", "certify", "checks", "claims", "gate", "scenes", "simulate", "solve", "solvers",
-    "verify",
+    "Solution", "SolverError", "Unsupported", "__version__", "certify", "checks", "claims", "gate", "protocol_check", "scenes", "serve",
+    "simulate", "solve", "solvers", "verify",
 ]

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _native
 from ._errors import InvalidInput
+from ._gate import seconds
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -85,7 +86,8 @@ def certify(
     ----------
     problem : the Problem.
     impulse : r [N·s], one per row, or a Solution.
-    tolerance : the largest residual that is accepted, relative to the scale of its contact; 1e-8 if absent.
+    tolerance : the largest residual that is accepted, relative to the scale of its contact; 1e-8 if absent. A solver in single
+        precision cannot do better than 1e-6 or 1e-5: say so.
     velocity : your u [m/s], one per row, if it is to be compared with W r + u_free.
 
     Returns
@@ -97,6 +99,9 @@ def certify(
     >>> bool(certify(block, [1.0, -0.5])), bool(certify(block, [1.0, -0.4]))
     (True, False)
     """
+    if not isinstance(problem, _native.Problem):
+        cure = "give a Problem: Problem(W, u_free, mu), or Problem.read(file)"
+        raise InvalidInput(f"`problem`: is a {type(problem).__name__}; {cure}", "problem", f"is a {type(problem).__name__}", cure)
     return _native.certify(problem, impulse, tolerance=tolerance, velocity=velocity)
 
 
@@ -104,7 +109,7 @@ def simulate(
     scene: str | os.PathLike[str] | Mapping[str, Any],
     *,
     scheme: str = "moreau-jean",
-    step: float = 0.001,
+    step: float | str = 0.001,
     duration: float | None = None,
     solver: str = "auto",
     tolerance: float | None = None,
@@ -117,7 +122,7 @@ def simulate(
     ----------
     scene : one of `scenes()`, a file scene/1, or its content as a dict.
     scheme : the scheme by its name on the command line (`moreau simulate --list`).
-    step : h [s].
+    step : h [s], also as "1/240".
     duration : [s]; the scene's own if absent.
     solver : the solver of the contact problems, one of `solvers()`.
     tolerance : the largest relative residual of a step that is accepted; 1e-8 if absent.
@@ -141,10 +146,10 @@ def simulate(
             words.append(option)
         elif value is not False and value is not None:
             words += [option, str(value)]
-    return _native.simulate(scene, scheme, step, duration, solver, tolerance, accept_rejected, words)
+    return _native.simulate(scene, scheme, step if isinstance(step, (int, float)) else seconds(step), duration, solver, tolerance, accept_rejected, words)
 
 
-def claims(search: str | None = None) -> list[dict[str, Any]]:
+def claims(search: str | Sequence[str] | None = None) -> list[dict[str, Any]]:
     """The claims of the chapter as they are recorded: id, section, statement, verdict, kind, evidence, correct_statement, …
 
     Parameters
@@ -154,18 +159,21 @@ def claims(search: str | None = None) -> list[dict[str, Any]]:
     >>> [claim["verdict"] for claim in claims("copositive-plus") if claim["id"] == "S4.copos-plus"]
     ['FALSE AS STATED']
     """
-    words = (search or "").lower().split()
+    words = (search if isinstance(search, str) else " ".join(search or [])).lower().split()
     has = ("id", "statement", "correct_statement")
     return [claim for claim in json.loads(_native.claims()) if all(any(word in claim[field].lower() for field in has) for word in words)]
 
 
-def verify(ids: str | Sequence[str]) -> list[dict[str, Any]]:
-    """Judges claims now: ids or groups, such as "S4.copos-plus" or "S4". Each record has its findings, controls and `status`.
+def verify(ids: str | Sequence[str | Mapping[str, Any]]) -> list[dict[str, Any]]:
+    """Judges claims now: ids or groups, such as "S4.copos-plus" or "S4", or records of `claims()`.
+
+    Each record has `verdict`, what is known of the sentence; `status`, "supported" where the evidence just computed supports that
+    verdict, also where the verdict is that the sentence is false; `findings` and `controls`.
 
     >>> verify("S4.copos-plus")[0]["status"]
     'supported'
     """
-    names = [ids] if isinstance(ids, str) else list(ids)
+    names = [ids] if isinstance(ids, str) else [one["id"] if isinstance(one, Mapping) else one for one in ids]
     if not names:
         raise InvalidInput("`ids`: is empty; give at least one id or group", "ids", "is empty", "give at least one id or group")
     judged: list[dict[str, Any]] = json.loads(_native.verify(names))

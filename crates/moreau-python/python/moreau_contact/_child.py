@@ -4,8 +4,10 @@
 """
 import sys
 
-from ._engine import load, made, serve
+from . import _engine
 
 if __name__ == "__main__":
+    _engine.is_child = True
+    replies, sys.stdout = sys.stdout, sys.stderr  # what a script prints while it is imported is no reply
     sys.path += [place for place in sys.argv[3:] if place not in sys.path]
-    serve(made(load(sys.argv[1], sys.argv[2])))
+    _engine.serve(_engine.load(sys.argv[1], sys.argv[2]), replies)

@@ -14,10 +14,12 @@ import sys
 import threading
 import traceback
 from pathlib import Path
-from typing import Any
+from typing import Any, TextIO
 
-from ._errors import Unsupported
+from ._errors import InvalidInput, Unsupported
 
+#: Whether this process is the child of a gate, which gates nothing itself.
+is_child = False
 _running: set[int] = set()
 _lock = threading.Lock()
 
@@ -66,6 +68,8 @@ def _result(engine: Any, request: dict[str, Any]) -> Any:
     if method is None:
         raise Unsupported(f"{type(engine).__name__} has no method `{what}`")
     found = method(*(request[name] for name in names[what]), request.get("options", {}))
+    if found is None:
+        raise TypeError(f"`{what}` of {type(engine).__name__} returned None")
     return found if what != "project" or isinstance(found, dict) else {"points": found}
 
 
@@ -85,10 +89,12 @@ def _told(error: Exception) -> str:
 
 def address(engine: type) -> tuple[str, str]:
     """File or module, and name, of a class, from which another process can import it."""
+    if not isinstance(engine, type):
+        raise InvalidInput(f"`engine`: {engine!r} is no class, and no other process can make it; give a class at the top of a file",
+                           "engine", "is no class", "give a class at the top of a file")
     module = sys.modules.get(engine.__module__)
     file = getattr(module, "__file__", None)
-    if "." in engine.__qualname__ or file is None:
-        from ._errors import InvalidInput
+    if "." in engine.__qualname__ or file is None or not Path(file).is_file():
         where = engine.__qualname__ if "." in engine.__qualname__ else engine.__module__
         raise InvalidInput(f"`engine`: {engine.__qualname__} cannot be imported by another process (it stands in {where}); "
                            "put the class at the top of a file", "engine", "cannot be imported by another process",
@@ -111,9 +117,14 @@ def load(place: str, name: str) -> Any:
     return getattr(module, name)
 
 
-def serve(engine: Any) -> None:
-    """Answers lines of standard input until `bye`; what the engine prints goes to standard error."""
-    replies, sys.stdout = sys.stdout, sys.stderr
+def serve(engine: Any, replies: TextIO | None = None) -> None:
+    """Serves an engine, a class or an object, on standard input and output, until `bye`: `moreau gate -- python3 my_engine.py`.
+
+    What the engine prints goes to standard error.
+    """
+    engine = made(engine)
+    if replies is None:
+        replies, sys.stdout = sys.stdout, sys.stderr
     for line in sys.stdin:
         request = _object(line)
         bye = request.get("request") == "bye"

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -40,7 +40,7 @@ def gate(
     *,
     only: str | Sequence[str] = (),
     skip: str | Sequence[str] = (),
-    steps: str | Sequence[float | str] = "quick",
+    steps: str | float | Sequence[float | str] = "quick",
     options: Mapping[str, Any] | None = None,
     baseline: str | os.PathLike[str] | None = None,
     isolate: bool = False,
@@ -48,6 +48,7 @@ def gate(
     repeats: int = 1,
     time_limit: float = 60.0,
     start_limit: float | None = None,
+    progress: Callable[[str, str, float], object] | None = None,
 ) -> _native.Report:
     """Runs checks on an engine.
 
@@ -66,6 +67,9 @@ def gate(
     repeats : how often all is measured; 3 give a baseline its spread.
     time_limit, start_limit : seconds for a reply, and for the first, of a command or an isolated class.
 
+    progress : called after each check with its name, verdict and seconds; on a terminal a bar is shown as well. All checks
+        of the quick sweep are hundreds of motions in steps of down to 1 ms: an engine in pure Python takes minutes.
+
     Returns
     -------
     A Report, true where nothing is bad. `print` shows the table; `checks` has every number.
@@ -73,6 +77,13 @@ def gate(
     names = [check["check"] for check in checks(only, skip)]
     if not names:
         raise InvalidInput("`only`: selects no check together with `skip`", "only", "selects no check", "leave one of the two out")
+    if isinstance(engine, str):
+        cure = "give a class, or the command as a list of words"
+        raise InvalidInput(f"`engine`: is a text; {cure}", "engine", "is a text", cure)
+    if _engine.is_child:
+        cure = "put the call under `if __name__ == \"__main__\":`"
+        raise InvalidInput(f"`engine`: this process serves a class, and its file calls the gate while it is imported; {cure}", "engine",
+                           "its file calls the gate while it is imported", cure)
     command: list[str] = []
     if isinstance(engine, (list, tuple)):
         command, engine = [os.fspath(word) for word in engine], None
@@ -81,28 +92,58 @@ def gate(
     for name, number in (("jobs", jobs), ("repeats", repeats)):
         if number < 1:
             raise InvalidInput(f"`{name}`: is {number}; use a whole number from 1", name, f"is {number}", "use a whole number from 1")
+    wanted = sweep(steps)
+    check_baseline(baseline, wanted)
     report = _native.gate(
-        engine, command, names, sweep(steps), json.dumps(dict(options or {})), jobs, repeats, time_limit,
-        time_limit if start_limit is None else start_limit, True,
+        engine, command, names, wanted, json.dumps(_options(options)), jobs, repeats, time_limit,
+        time_limit if start_limit is None else start_limit, True, progress,
     )
     return report if baseline is None else report.compare(baseline)
 
 
-def sweep(steps: str | Sequence[float | str]) -> list[float]:
+def sweep(steps: str | float | Sequence[float | str]) -> list[float]:
     """The time steps [s] that are meant."""
     if steps == "quick":
         return list(QUICK)
     if steps == "full":
         return list(SWEEP)
-    given = [steps] if isinstance(steps, str) else list(steps)
-    found = [_seconds(step) for step in given]
+    given = steps.split(",") if isinstance(steps, str) else [steps] if isinstance(steps, (int, float)) else list(steps)
+    found = [seconds(step) for step in given]
     if not found or len(set(found)) < len(found):
         problem = "is empty" if not found else "names a time step twice"
         raise InvalidInput(f"`steps`: {problem}; name each time step once", "steps", problem, "name each time step once")
     return found
 
 
-def _seconds(step: float | str) -> float:
+def check_baseline(file: str | os.PathLike[str] | None, steps: Sequence[float]) -> None:
+    """Refuses a baseline that cannot be read or lacks a time step, before anything is asked of an engine."""
+    if file is None:
+        return
+    stored = _native.baseline_steps(file)
+    missing = [step for step in steps if step not in stored]
+    if missing:
+        cure = f"it has {stored}; ask for these, or make a new one"
+        raise InvalidInput(f"`baseline`: {file} has no time step {missing}; {cure}", "baseline", f"has no time step {missing}", cure)
+
+
+def protocol_check(engine: Any, *, time_limit: float = 60.0) -> tuple[bool, str]:
+    """What `moreau protocol-check` says of an engine, a class at the top of a file or a command: whether all is well, and the text.
+
+    The class runs in a child. Whether it reports what the protocol means is asked here; whether it simulates well, by `gate`.
+    """
+    command = [os.fspath(word) for word in engine] if isinstance(engine, (list, tuple)) else _engine.command(engine)
+    text, _, sound = _native.protocol_check(command, time_limit)
+    return sound, text
+
+
+def _options(options: Mapping[str, Any] | None) -> dict[str, Any]:
+    if options is not None and not isinstance(options, Mapping):
+        raise InvalidInput("`options`: is no mapping; give a dict", "options", "is no mapping", "give a dict")
+    return dict(options or {})
+
+
+def seconds(step: float | str) -> float:
+    """A number of seconds, also as a fraction."""
     try:
         number = float(step) if not isinstance(step, str) or "/" not in step else _quotient(step)
     except (TypeError, ValueError, ZeroDivisionError):
@@ -122,9 +163,9 @@ def _words(given: str | Sequence[str]) -> list[str]:
     return [given] if isinstance(given, str) else list(given)
 
 
-def gate_one(engine: Any, name: str, steps: Sequence[float], options: Mapping[str, Any], repeats: int, isolate: bool) -> _native.Report:
-    """One check, without the probes of the adapter: what the pytest plugin measures test by test."""
+def gate_one(engine: Any, name: str, steps: Sequence[float], options: Mapping[str, Any], repeats: int, limit: float | None) -> _native.Report:
+    """One check, without the probes of the adapter: what the pytest plugin measures test by test; in a child where there is a limit."""
     command: list[str] = []
-    if isolate:
+    if limit is not None:
         command, engine = _engine.command(engine), None
-    return _native.gate(engine, command, [name], list(steps), json.dumps(dict(options)), 1, repeats, 60.0, 60.0, False)
+    return _native.gate(engine, command, [name], list(steps), json.dumps(_options(options)), 1, repeats, limit or 60.0, limit or 60.0, False)

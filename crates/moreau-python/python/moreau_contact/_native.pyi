@@ -1,6 +1,6 @@
 """Types of the compiled half."""
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, final
 
 import numpy as np
@@ -13,11 +13,13 @@ __all__ = [
     "Report",
     "Solution",
     "__version__",
+    "baseline_steps",
     "certify",
     "checks",
     "claims",
     "command",
     "gate",
+    "protocol_check",
     "scenes",
     "seconds_of",
     "simulate",
@@ -50,6 +52,7 @@ class Problem:
     def with_law(self, law: str, directions: int | None = None) -> Problem: ...
     def sparse(self) -> Any: ...
     def velocity(self, impulse: ArrayLike) -> NDArray[np.float64]: ...
+    def __reduce__(self) -> tuple[Any, tuple[str]]: ...
     @property
     def name(self) -> str: ...
     @property
@@ -215,5 +218,8 @@ def gate(
     time_limit: float,
     start_limit: float,
     probes: bool,
+    progress: Callable[[str, str, float], object] | None = None,
 ) -> Report: ...
+def baseline_steps(file: str | os.PathLike[str]) -> list[float]: ...
+def protocol_check(command: Sequence[str], time_limit: float) -> tuple[str, str, bool]: ...
 def command(arguments: Sequence[str]) -> int: ...

@@ -22,6 +22,7 @@ from typing import Any
 import pytest
 
 from . import _gate, _native
+from ._errors import MoreauError
 
 _FRACTIONS = {1.0 / under: f"1/{under}" for under in range(2, 1001)}
 
@@ -38,13 +39,20 @@ def pytest_addoption(parser: pytest.Parser) -> None:
                     help="how often each check is measured; 3 with --moreau-save-baseline, else 1")
     group.addoption("--moreau-plots", metavar="FOLDER", type=Path, default=Path("moreau-plots"),
                     help="where pictures of motions that fail are drawn (moreau-plots)")
-    group.addoption("--moreau-isolate", action="store_true", help="run the engine's class in a child under time limits")
+    group.addoption("--moreau-isolate", action="store_true", help="run the engine's class in a child under a time limit")
+    group.addoption("--moreau-time-limit", metavar="SECONDS", type=float, default=60.0, help="of a reply of an isolated engine (60)")
 
 
 def pytest_configure(config: pytest.Config) -> None:
     for family in sorted({check["family"] for check in _gate.checks()}):
         config.addinivalue_line("markers", f"moreau_{_word(family)}: checks {family}/… of a contact simulator")
     config.stash[_PARTS] = []
+    try:
+        steps = _gate.sweep(_steps(config))
+        _gate.checks(config.getoption("moreau_only"), config.getoption("moreau_skip"))
+        _gate.check_baseline(config.getoption("moreau_baseline"), steps)
+    except MoreauError as error:
+        raise pytest.UsageError(str(error)) from error
 
 
 _PARTS: pytest.StashKey[list[_native.Report]] = pytest.StashKey()
@@ -89,7 +97,8 @@ def moreau_check(request: pytest.FixtureRequest, moreau_engine: Any, moreau_opti
 def _measured(config: pytest.Config, engine: Any, check: dict[str, Any], step: float | None, options: dict[str, Any]) -> _native.Report:
     repeats = config.getoption("moreau_repeats") or (3 if config.getoption("moreau_save_baseline") else 1)
     steps = [step] if step is not None else _gate.sweep(_steps(config))
-    return _gate.gate_one(engine, check["check"], steps, options, repeats, config.getoption("moreau_isolate"))
+    limit = config.getoption("moreau_time_limit") if config.getoption("moreau_isolate") else None
+    return _gate.gate_one(engine, check["check"], steps, options, repeats, limit)
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
@@ -124,10 +133,14 @@ def _word(family: str) -> str:
 def _told(config: pytest.Config, name: str, check: dict[str, Any], step: float | None, report: _native.Report, worse: list[str]) -> str:
     """What was expected and measured, why, and where the picture is."""
     outcome = report.checks[0]
-    lines = [f"{check['check']}{'' if step is None else f' at h = {step:g} s'}: {outcome['verdict']}", f"question: {check['question']}"]
-    lines += [f"worse than the baseline: {what}" for what in worse]
-    lines += [f"reason: {outcome['reason']}"] if outcome.get("reason") else []
-    for measured in sorted((one for at in outcome["steps"] for one in at["measurements"]), key=_holds):
+    measurements = sorted((one for at in outcome["steps"] for one in at["measurements"]), key=_holds)
+    at = "" if step is None else f" at h = {_FRACTIONS.get(step, repr(step))} s"
+    # the first line is what pytest's summary shows
+    headline = worse[0] if worse else outcome.get("reason") or _short(measurements)
+    lines = [f"{headline} ({check['check']}{at}: {'worse than the baseline' if worse else outcome['verdict']})"]
+    lines += [f"also: {what}" for what in worse[1:]]
+    lines += [f"question: {check['question']}"]
+    for measured in measurements:
         unit = "" if measured["unit"] == "1" else f" {measured['unit']}"
         mark = " " if _holds(measured) else "✗"
         lines.append(f"{mark} {measured['quantity']}: measured {measured['value']:.6g}{unit}, expected {_expected(measured, unit)}")
@@ -140,6 +153,15 @@ def _told(config: pytest.Config, name: str, check: dict[str, Any], step: float |
         file.write_text(picture, encoding="utf-8")
         lines.append(f"plot: {file}")
     return "\n".join(lines)
+
+
+def _short(measurements: list[dict[str, Any]]) -> str:
+    """The first measurement that fails, in a few words."""
+    if not measurements:
+        return "nothing was measured"
+    first = measurements[0]
+    expected = first.get("model") or first["ideal"]
+    return f"{first['quantity']}: {first['value']:.3g}, not {expected['value']:.3g}"
 
 
 def _expected(measured: dict[str, Any], unit: str) -> str:
