@@ -115,6 +115,7 @@ pub const STANDS: &[(&str, &str)] = &[
     ("tumbling/rest", "it asks for the end of a random motion, which laws of energy do not"),
     ("spin/drilling", "it asks of one contact point without a length what only its law can say"),
     ("spin/flat-box", "its time holds for every load of four corners, so that a wrong yaw friction has a number"),
+    ("spin/gyroscopic", "it tells growth from loss over many turns, where flight/spinning-box compares one"),
     ("limits/stick", "it holds one coefficient of friction to two percent, in a body whose contacts share no load"),
     ("bounce/flat-box", "it has four impacts at once whose sum has a closed form for every law of them"),
     ("bounce/corner", "it is the closed form of one impact with a lever, by which a moment of inertia is named"),
