@@ -69,7 +69,7 @@ fn gate(clips: bool) -> Reply<Report> {
 pub fn main() {
     for clips in [false, true] {
         let report = gate(clips).expect("it describes itself");
-        println!("{}", table(&report, Style { colour: false }));
+        println!("{}", table(&report, Style::PLAIN));
         assert_eq!(report.is_bad(), clips, "an engine that clips fails, one that projects does not");
     }
 }

@@ -64,6 +64,7 @@
 //! println!("{}: {}", outcome.findings[0].name, claim.correct_statement);
 //! ```
 
+pub mod board;
 pub mod checks;
 pub mod claims;
 pub mod cli;

@@ -1,10 +1,11 @@
 //! The stored scoreboard: docs/scoreboard.md shows what it renders, every check that is not passed has a cause, and the highlights
 //! are true.
 
+use moreau::gate::baseline::{Change, ChangeKind};
 use moreau::gate::scoreboard::{Engines, Standing};
 use moreau::gate::{Report, cause, checks};
 use moreau::number::significant;
-use moreau::report::gate::scoreboard;
+use moreau::report::gate::{page, scoreboard, scoreboard_page};
 use std::path::{Path, PathBuf};
 
 fn here(path: &str) -> PathBuf {
@@ -56,6 +57,92 @@ fn every_result_has_every_check_and_no_engine_is_missing() {
 fn every_check_that_is_not_passed_has_one_cause_and_no_other_has() {
     let misfits = cause::misfits(&causes(), &standings());
     assert!(misfits.is_empty(), "{}", misfits.join("\n"));
+}
+
+/// A day that no clock tells.
+fn day() -> jiff::civil::Date {
+    jiff::civil::date(2026, 2, 28)
+}
+
+/// What every page of results has, whatever it shows: it says when it was made and by what, needs no other file, and hides nothing from
+/// fingers.
+fn is_a_page(page: &str) {
+    for words in ["name=\"viewport\"", "prefers-color-scheme:dark", "min-height:44px", "position:sticky", "2026-02-28", "role=\"region\""] {
+        assert!(page.contains(words), "{words}");
+    }
+    assert!(page.contains(&format!("moreau {} on 2026-02-28", env!("CARGO_PKG_VERSION"))));
+    for words in [" title=\"", "<script", "src=", "<link", "@import", "url("] {
+        assert!(!page.contains(words), "{words}");
+    }
+    let ids: Vec<&str> = page.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    let links: Vec<&str> = page.split(" href=\"#").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    assert!(!links.is_empty(), "a page without a link: the test looks at nothing");
+    let known: std::collections::BTreeSet<&str> = ids.iter().copied().collect();
+    assert_eq!(known.len(), ids.len(), "two places of one name");
+    links.iter().for_each(|link| assert!(known.contains(link), "nothing is called {link}"));
+}
+
+#[test]
+fn the_html_of_the_scoreboard_counts_first_and_leads_from_every_mark_to_its_number_and_cause() {
+    let (standings, causes) = (standings(), causes());
+    let page = scoreboard_page::html(&standings, &causes, day());
+    is_a_page(&page);
+    let at = |words: &str| page.find(words).unwrap_or_else(|| panic!("no {words}"));
+    let order = ["<h2>The engines", "<h2>What it shows", "<h2>Every check", "<h2>Every number", "<h2>Why checks", "<h2>The checks"].map(at);
+    assert!(order.is_sorted(), "{order:?}");
+    for standing in &standings {
+        let (name, report) = (&standing.entry.name, standing.report.as_ref().expect("every engine was run"));
+        let fails = report.checks.iter().filter(|outcome| outcome.verdict.is_bad()).count();
+        let (_, own) = page.split_once(&format!("<p id=\"engine:{name}\">")).expect("its numbers");
+        let own = own.split("<p id=\"engine:").next().expect("up to the next engine");
+        assert_eq!(own.matches("<details open>").count(), fails, "{name}: what is bad is open");
+        assert_eq!(own.matches("<a href=\"#cause:").count(), fails, "{name}: and says why");
+        if fails > 0 {
+            let first = own.find("<details").expect("a check");
+            assert_eq!(own.find("<details open>"), Some(first), "{name}: and stands first");
+        }
+    }
+    assert!(page.contains("<code>refsafe</code>"), "code is shown as code");
+}
+
+#[test]
+fn an_engine_that_was_not_run_says_so_and_no_name_becomes_markup() {
+    let mut standings = standings();
+    standings.truncate(1);
+    standings[0].report = None;
+    standings[0].entry.name = "<b>x</b>".into();
+    standings[0].not_run = Some("`a<b>` is not there".into());
+    let page = scoreboard_page::html(&standings, &[], day());
+    is_a_page(&page);
+    assert!(!page.contains("<b>x") && page.contains("&lt;b&gt;x") && page.contains("not run: <code>a&lt;b&gt;</code> is not there"));
+}
+
+#[test]
+fn the_html_of_the_gate_says_first_what_is_bad_and_escapes_what_an_engine_says_of_itself() {
+    let standing = standings().into_iter().find(|standing| standing.entry.name == "mujoco-pgs").expect("stored");
+    let mut report = standing.report.expect("run");
+    report.engine.version = "</title><i>".into();
+    let change = |check: &str| Change { check: check.into(), kind: ChangeKind::Regression, what: "`worse` <i>".into() };
+    let changes = [change("ball/zeno"), change("ball/forgotten")];
+    let page = page::html(&report, Some(&changes), day()).expect("pictures");
+    is_a_page(&page);
+    assert!(!page.contains("<i></") && !page.contains("</title><i>") && page.contains("<code>worse</code> &lt;i&gt;"));
+    let bad: Vec<_> = report.checks.iter().filter(|outcome| outcome.verdict.is_bad()).map(|outcome| &outcome.check).collect();
+    assert!(!bad.is_empty(), "an engine without a mistake shows nothing here");
+    assert!(
+        page.contains("<li class=\"\"><b>0</b> errored</li>")
+            && page.contains(&format!("<li class=\"fail\"><b>{}</b> fail</li>", bad.len()))
+    );
+    let (summary, every) = page.split_once("<h2>Every check</h2>").expect("a summary before the checks");
+    for check in &bad {
+        assert!(summary.contains(&format!("<a href=\"#{check}\"><span class=\"verdict ")), "{check} is named first");
+    }
+    let order: Vec<&str> = every.split("<details id=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    assert_eq!((order.len(), order[..bad.len()].to_vec()), (report.checks.len(), bad.iter().map(|name| name.as_str()).collect()));
+    assert_eq!(every.matches(" open>").count(), bad.len());
+    report.checks.retain(|outcome| !outcome.verdict.is_bad());
+    let page = page::html(&report, None, day()).expect("pictures");
+    assert!(page.contains("No check fails or errs.") && !page.contains("Against the baseline"));
 }
 
 const SLIDE: &str = "(v_t + μ v_n)/T, less the initial speed";

@@ -180,5 +180,5 @@ fn an_agreement_outside_its_tolerance_or_not_a_number_is_told() {
         table.contains("**outside** the truth: error 2 m (1; 2)") && table.contains("**outside** the truth: lost not a number m"),
         "{table}"
     );
-    assert!(moreau::report::systems::text(&report).contains("2 agreements, 2 outside the tolerance"));
+    assert!(moreau::report::systems::text(&report, moreau::checks::text::Style::PLAIN).contains("2 agreements, 2 outside the tolerance"));
 }

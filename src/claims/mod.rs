@@ -28,6 +28,7 @@ pub mod s7;
 pub mod s8;
 pub mod s9;
 mod section;
+mod titles;
 pub mod v;
 mod verdict;
 
@@ -39,5 +40,6 @@ pub use moved::{counterpart, is_moved};
 pub use places::{PLACES, Place, Places};
 pub use registry::{JudgedClaim, Status, all, conclude, find, judge, judge_with_witnesses, matches_group};
 pub use repeats::{REPEATS, original};
-pub use section::{SECTIONS, Section, order};
+pub use section::{CHAPTER, SECTIONS, Section, order};
+pub use titles::title;
 pub use verdict::derive;

@@ -9,6 +9,11 @@ pub struct Section {
     pub title: &'static str,
 }
 
+/// The text that the claims are of, as far as it says so itself: the title in English, and for whom it is written. Its own title is the
+/// first heading of [`crate::claims::PLACES`]; its authors and the book that it belongs to are not named in it.
+pub const CHAPTER: &str = "“Contact mechanics, topic 3.0: time-stepping methods and numerical integration – the time discretisation of \
+                           nonsmooth contact dynamics”, a Chinese textbook chapter for doctoral students";
+
 const fn section(group: &'static str, title: &'static str) -> Section {
     Section { group, title }
 }

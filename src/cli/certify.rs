@@ -2,7 +2,7 @@
 
 use super::kind::{Kind, is_lcp, read_problem};
 use super::limits::{CommonOptions, check_tolerance, default_tolerance};
-use super::output::print;
+use super::output::{print, style};
 use super::remarks::remark;
 use super::residual_names::RESIDUALS;
 use super::{Answer, Format, posed, progress};
@@ -62,6 +62,15 @@ Examples:
   moreau certify lcp.json --prove                        how many solutions a linear complementarity problem has
   moreau certify collected.hdf5                          an FCLIB file and the solution stored in it
 
+A problem and a solution of it, as `moreau new problem` writes the first and `moreau new solution` the form of the second:
+  {\"schema\": \"contact-problem/1\", \"name\": \"block\", \"dimension\": 3, \"law\": \"coulomb\",
+   \"friction\": [0.5], \"free_velocity\": [-1, 2, 0],
+   \"delassus\": {\"shape\": [3, 3], \"rows\": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}}
+  {\"schema\": \"solution/1\", \"problem\": \"block\", \"solver\": \"by hand\",
+   \"impulse\": [1, -0.5, 0], \"velocity\": [0, 1.5, 0]}
+`impulse` is r [N·s], of every contact the normal entry first; `velocity` is u = W r + u_free [m/s] and may be left
+out; so may `problem` and `solver`. Every field: docs/formats.md, `moreau schema solution`.
+
 Exit code 0: a solution, or one is proved to exist; 1: not a solution, or none is proved to exist;
 2: the files cannot be read or do not fit each other.";
 
@@ -86,7 +95,7 @@ fn judged(arguments: &Arguments, posed: &Posed) -> Result<(String, bool)> {
     let lcp = arguments.prove.then(|| lcp_of(problem)).flatten();
     if let (Some(lcp), None) = (&lcp, &arguments.solution) {
         let counted = Counted::new(problem.name(), lcp, &counted(problem, lcp, None)?);
-        let text = if arguments.common.format == Format::Json { pretty(&counted)? } else { counted.text() };
+        let text = if arguments.common.format == Format::Json { pretty(&counted)? } else { style().fitted(&counted.text()) };
         return Ok((text, counted.is_solvable()));
     }
     let (file, solution) = read_answer(arguments, posed)?;
@@ -141,7 +150,7 @@ fn jointed(arguments: &Arguments, posed: &Posed) -> Result<(String, bool)> {
 
 fn show(certificate: &Certificate, format: Format) -> Result<(String, bool)> {
     let text = match format {
-        Format::Text => certificate.text(),
+        Format::Text => style().fitted(&certificate.text()),
         Format::Json => pretty(certificate)?,
     };
     Ok((text, certificate.accepts()))

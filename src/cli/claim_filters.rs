@@ -16,7 +16,7 @@ pub struct Filters {
     /// and V, which --filter takes.
     #[arg(long, value_name = "NUMBER", value_parser = section_number, conflicts_with = "filter")]
     section: Option<usize>,
-    /// Only claims that have all of these words in id, statement, correction or source, in any case; part of a word will do.
+    /// Only claims that have all of these words in id, title, statement, correction or source, in any case; part of a word will do.
     #[arg(long, value_name = "WORDS", conflicts_with = "export")]
     search: Option<String>,
     /// Only claims with this verdict.
@@ -117,7 +117,7 @@ impl Filters {
 /// Whether a claim has all of these words.
 fn has_words(claim: &Claim, words: &str) -> bool {
     let places = claim.sources.iter().copied();
-    let text: Vec<&str> = [claim.id, claim.statement, claim.correct_statement].into_iter().chain(places).collect();
+    let text: Vec<&str> = [claim.id, claims::title(claim.id), claim.statement, claim.correct_statement].into_iter().chain(places).collect();
     let text = text.join(" ").to_lowercase();
     words.to_lowercase().split_whitespace().all(|word| text.contains(word))
 }

@@ -4,7 +4,7 @@ use super::certificate_options::CertificateOptions;
 use super::limits::CommonOptions;
 use super::near::suggestion;
 use super::number::seconds;
-use super::output::{keep_input, print, require_svg};
+use super::output::{keep_input, print, require_svg, style};
 use super::progress;
 use super::scene::{count_steps, positive, stage};
 use super::solver_table::check_name;
@@ -97,7 +97,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         write_together(&[(file, plot::svg(&title, &overlaid(&motions))?.as_bytes())])?;
     }
     print(&match arguments.common.format {
-        Format::Text => comparison.text(),
+        Format::Text => comparison.text(style()),
         Format::Json => pretty(&comparison)?,
     })?;
     let rejected = runs.iter().filter_map(|(_, run)| run.as_ref().ok()).any(|run| run.steps().rejected > 0);

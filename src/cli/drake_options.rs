@@ -3,20 +3,22 @@
 use super::owned::Owned;
 use crate::schemes::drake::Material;
 
+const DRAKE: &str = "Options of drake-sap, drake-similar, drake-lagged and drake-tamsi";
+
 /// One option per number of [`Material`].
 #[derive(clap::Args)]
 pub struct DrakeOptions {
     /// Stiffness k of a pair for Drake's schemes [N/m].
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, help_heading = DRAKE)]
     stiffness: Option<f64>,
     /// Relaxation time τ of a pair for drake-sap [s].
-    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true, help_heading = DRAKE)]
     relaxation_time: Option<f64>,
     /// Hunt and Crossley's dissipation d for drake-similar, drake-lagged and drake-tamsi [s/m].
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, help_heading = DRAKE)]
     dissipation: Option<f64>,
     /// Slip below which drake-similar, drake-lagged and drake-tamsi regularise friction [m/s].
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, help_heading = DRAKE)]
     stiction_tolerance: Option<f64>,
 }
 

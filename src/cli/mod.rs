@@ -23,6 +23,7 @@ mod man;
 pub mod motion;
 mod mujoco_options;
 mod near;
+mod new;
 mod number;
 mod output;
 mod owned;
@@ -56,7 +57,7 @@ use std::process::ExitCode;
 /// Verifies the claims of a textbook chapter on nonsmooth contact dynamics, solves and certifies contact problems, and
 /// simulates scenes with Moreau–Jean, Stewart–Trinkle and Anitescu time-stepping.
 #[derive(Parser)]
-#[command(name = "moreau", version, after_help = EXAMPLES, arg_required_else_help = true)]
+#[command(name = "moreau", version = env!("MOREAU_VERSION"), after_help = EXAMPLES, arg_required_else_help = true, max_term_width = 120)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -68,12 +69,14 @@ What do you want to do?
     moreau verify --list --search zeno            the claims that speak of it
     moreau verify --explain S4.copos-plus         one claim: witness, corrected theorem, sources
   Solve a contact problem, or know whether an answer is one
+    moreau new problem --out problem.json         a file to begin with
     moreau solve problem.json --out answer.json
     moreau certify problem.json answer.json       residuals with units: is it a solution?
   See how a scene moves under a scheme, and under others beside it
     moreau simulate --scene bouncing-ball --step 0.01 --plot ball.svg
     moreau compare bouncing-ball --step 0.01 --plot schemes.svg
   Judge a simulator, and stop the build when its physics changes
+    moreau new engine --language python --out my_engine.py
     moreau protocol-check -- python3 my_engine.py what is wrong with an adapter
     moreau gate --quick -- python3 my_engine.py   every check
   Choose a solver, or a simulator
@@ -94,6 +97,7 @@ enum Command {
     Bench(bench::Arguments),
     Problems(problems::Arguments),
     Convert(convert::Arguments),
+    New(new::Arguments),
     Simulate(Box<simulate::Arguments>),
     Compare(compare::Arguments),
     Gate(Box<gate::Arguments>),
@@ -129,6 +133,7 @@ pub fn run_with<T: Into<OsString> + Clone>(arguments: impl IntoIterator<Item = T
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Problems(arguments) => problems::run(&arguments),
         Command::Convert(arguments) => convert::run(&arguments),
+        Command::New(arguments) => new::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Gate(arguments) => gate::run(&arguments),

@@ -6,7 +6,8 @@ use crate::report::json::pretty;
 use crate::report::no_answer::NoAnswer;
 use crate::report::text::Style;
 use crate::{Error, Result};
-use std::io::{ErrorKind, IsTerminal, Write};
+use anstream::{AutoStream, ColorChoice};
+use std::io::{ErrorKind, Write};
 use std::path::Path;
 
 /// Refuses to write a result over the file it comes from.
@@ -21,6 +22,20 @@ pub fn keep_input(input: &Path, option: &str, output: Option<&Path>) -> Result<(
         }
         _ => Ok(()),
     }
+}
+
+/// Refuses results that would be written over an input or over each other; an output comes with its option.
+///
+/// # Errors
+/// [`Error::Invalid`] names the option.
+pub fn keep_files(inputs: &[&Path], outputs: &[(&'static str, &Path)]) -> Result<()> {
+    for (k, (option, file)) in outputs.iter().enumerate() {
+        inputs.iter().try_for_each(|input| keep_input(input, option, Some(file)))?;
+        if let Some((other, _)) = outputs[..k].iter().find(|(_, other)| is_same_file(other, file) || other == file) {
+            return Err(Error::invalid(*option, format!("is the same file as {other}"), "give each its own file"));
+        }
+    }
+    Ok(())
 }
 
 /// Refuses to draw an SVG picture into a file that is named as something else.
@@ -69,8 +84,20 @@ pub fn no_answer(error: Error, no_solution: Option<String>, aside: bool) -> Resu
     Ok(Answer::No)
 }
 
-/// Colours for a terminal, unless `NO_COLOR` is set to anything.
+/// Colours for a terminal unless `NO_COLOR` is set to anything, elsewhere where `CLICOLOR_FORCE` asks for them; lines as wide as the
+/// terminal, elsewhere as `COLUMNS` says or as [`Style::PLAIN`] has them.
 pub fn style() -> Style {
-    let refused = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
-    Style { colour: !refused && std::io::stdout().is_terminal() }
+    let colour = AutoStream::choice(&std::io::stdout()) != ColorChoice::Never;
+    Style { colour, width: columns().unwrap_or(Style::PLAIN.width) }
 }
+
+/// The columns of the terminal that standard output is, or of `COLUMNS`; lines that are too long to follow and too short to hold a word
+/// are not made.
+fn columns() -> Option<usize> {
+    let terminal = terminal_size::terminal_size_of(std::io::stdout()).map(|(width, _)| usize::from(width.0));
+    let asked = || std::env::var("COLUMNS").ok()?.parse().ok();
+    terminal.or_else(asked).filter(|width| *width > 0).map(|width| width.clamp(NARROWEST, Style::PLAIN.width))
+}
+
+/// Columns below which lines are not made shorter.
+const NARROWEST: usize = 40;

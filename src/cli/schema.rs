@@ -1,7 +1,7 @@
 //! `moreau schema`: the JSON Schemas of messages and files.
 
 use super::near::suggestion;
-use super::output::print;
+use super::output::{print, style};
 use super::{Answer, Format, section};
 use crate::files::write_together;
 use crate::report::formats::{BEGIN, END, markdown};
@@ -57,7 +57,13 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
 
 fn list(format: Format) -> Result<Answer> {
     print(&match format {
-        Format::Text => FORMATS.iter().map(|format| format!("{:16} {}\n", format.name, format.about)).collect(),
+        Format::Text => {
+            let style = style();
+            let line = |format: &crate::report::schemas::Format| {
+                style.wrapped("", &" ".repeat(17), &format!("{:16} {}", format.name, format.about)) + "\n"
+            };
+            FORMATS.iter().map(line).collect()
+        }
         Format::Json => {
             let entry = |format: &crate::report::schemas::Format| serde_json::json!({"name": format.name, "about": format.about});
             pretty(&FORMATS.iter().map(entry).collect::<Vec<_>>())?

@@ -5,15 +5,17 @@ use super::certificate_options::CertificateOptions;
 use super::dump_options::DumpOptions;
 use super::limits::CommonOptions;
 use super::number::seconds;
-use super::output::{keep_input, no_answer, print, require_svg};
+use super::output::{keep_files, no_answer, print, print_aside, require_svg, style};
 use super::progress;
 use super::scene::{count_steps, find, for_scheme, plastic_if_needed, positive};
 use super::scheme_options::SchemeOptions;
 use super::solver_table::{self, check_name, with_table};
 use super::{Answer, Format};
-use crate::files::{is_same_file, write_together};
+use crate::files::write_together;
+use crate::report::deepest;
 use crate::report::json::pretty;
 use crate::report::motion::MotionReport;
+use crate::report::motion_page::MotionPage;
 use crate::report::plot;
 use crate::report::steps::StepSummary;
 use crate::report::summary::MotionSummary;
@@ -29,8 +31,8 @@ use std::path::{Path, PathBuf};
 /// Where scheme or solver is a declared number of sweeps (bullet, xpbd, pbd, sequential-impulses, gauss-pgs), which promises no solution,
 /// rejected answers are counted as “unconverged by declaration”, and the exit code is 0.
 /// The summary tells penetration, energy, restitution, rest and creep with units, and the distance from the closed
-/// form where the scene has one. The picture shows position, velocity and energy over time, with the closed form
-/// beneath.
+/// form where the scene has one; what rounding alone can make of a number is shown as 0. The picture shows position, velocity and energy
+/// over time, with the closed form beneath. A penetration that is deep for the size of the body is remarked on.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
@@ -63,6 +65,9 @@ pub struct Arguments {
     /// Draw position, velocity and energy into this SVG file.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
+    /// Write the motion in space as one self-contained HTML page: a time slider, contacts and impulses, and the certificate of each step.
+    #[arg(long, value_name = "FILE")]
+    html: Option<PathBuf>,
     /// List the scenes, schemes and solvers there are.
     #[arg(long)]
     list: bool,
@@ -74,6 +79,7 @@ const EXAMPLES: &str = "\
 Examples:
   moreau simulate --list
   moreau simulate --scene bouncing-ball --step 0.01 --plot ball.svg
+  moreau simulate --scene box-stack --step 1/240 --html stack.html       then open stack.html in a browser
   moreau simulate --scene bouncing-ball --theta 1 --activation D --restitution 0.8 --duration 5
   moreau simulate --scene incline-stick --scheme mujoco --cone elliptic --impratio 10
   moreau simulate --scene rolling-sphere --scheme mujoco --integrator rk4 --torsional 0.01 --rolling 0.01
@@ -136,7 +142,6 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
     }
     let exact = staged.exact;
     let motion = MotionReport { mechanism, recording: &recording, exact: exact.as_ref(), gravity: staged.gravity };
-    write(arguments, &motion, scene.as_ref(), named.name())?;
     let summary = MotionSummary {
         scene: &staged.name,
         scheme: &recording.scheme,
@@ -144,42 +149,45 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
         note,
         closed_form: exact.as_ref().map(ExactMotion::law),
         quantities: motion.summary(),
+        remarks: scene.iter().filter_map(|scene| deepest::remark(&recording, mechanism, scene)).collect(),
         steps: StepSummary::of(&recording, mechanism),
     };
+    write(arguments, &motion, scene.as_ref(), &summary)?;
     print(&match arguments.common.format {
-        Format::Text => summary.text(),
+        Format::Text => summary.text(style()),
         Format::Json => pretty(&summary)?,
     })?;
+    if arguments.common.format == Format::Text {
+        summary.remarks.iter().for_each(|remark| print_aside(&format!("remark: {remark}\n")));
+    }
     Ok(arguments.certificate.answer(summary.steps.rejected > 0))
 }
 
-/// Writes the trajectory and the picture, both or none; a linkage has no trajectory.
-fn write(arguments: &Arguments, motion: &MotionReport, scene: Option<&Scene>, solver: &str) -> Result<()> {
+/// Writes trajectory, picture and page, all or none; a linkage has a picture only.
+fn write(arguments: &Arguments, motion: &MotionReport, scene: Option<&Scene>, summary: &MotionSummary) -> Result<()> {
     let title = format!("{}, {}, h = {} s", motion.recording.mechanism, motion.recording.scheme, motion.recording.time_step);
     let mut files: Vec<(&Path, String)> = Vec::new();
     if let Some(file) = &arguments.plot {
-        files.push((file, plot::svg(&title, &motion.panels())?));
+        files.push((file, plot::svg_with_note(&title, &motion.left_out(), &motion.panels())?));
     }
     if let (Some(file), Some(scene)) = (&arguments.out, scene) {
-        let engine = Producer::ours(&motion.recording.scheme, solver);
+        let engine = Producer::ours(&motion.recording.scheme, summary.solver);
         files.push((file, Trajectory::from_recording(motion.recording, motion.mechanism, scene, engine)?.to_json()?));
+    }
+    if let (Some(file), Some(scene)) = (&arguments.html, scene) {
+        files.push((file, MotionPage { motion, scene, summary }.html()?));
     }
     let files: Vec<(&Path, &[u8])> = files.iter().map(|(file, text)| (*file, text.as_bytes())).collect();
     write_together(&files)
 }
 
 impl Arguments {
-    /// Neither result may go over the scene or over the other one.
+    /// No result may go over the scene or over another one.
     fn keep_files(&self, scene: &str) -> Result<()> {
-        for (option, file) in [("--out", &self.out), ("--plot", &self.plot)] {
-            keep_input(Path::new(scene), option, file.as_deref())?;
-        }
-        match (&self.out, &self.plot) {
-            (Some(out), Some(plot)) if is_same_file(out, plot) => {
-                Err(Error::invalid("--plot", "is also the file of --out", "give each its own file"))
-            }
-            _ => require_svg("--plot", self.plot.as_deref()),
-        }
+        let all = [("--out", &self.out), ("--plot", &self.plot), ("--html", &self.html)];
+        let outputs: Vec<_> = all.into_iter().filter_map(|(option, file)| Some((option, file.as_deref()?))).collect();
+        keep_files(&[Path::new(scene)], &outputs)?;
+        require_svg("--plot", self.plot.as_deref())
     }
 
     /// The linkage with the options applied.
@@ -190,6 +198,14 @@ impl Arguments {
                 "--out",
                 problem,
                 "a trajectory/1 repeats its scene/1, which has no hinges; use --plot or --format json",
+            ));
+        }
+        if self.html.is_some() {
+            let problem = format!("cannot show {}", linkage.name);
+            return Err(Error::invalid(
+                "--html",
+                problem,
+                "the page draws the shapes of a scene/1, and a hinged link has none; use --plot",
             ));
         }
         if self.options.restitution()?.is_some() {
@@ -211,6 +227,10 @@ impl Arguments {
     }
 }
 
+/// What the list does not show.
+const EXPLAINED: &str = "`moreau systems` says what each scheme is and how closely it agrees with its engine, `moreau solve --help` which \
+                         laws a solver takes, `moreau verify --list --search NAME` what the chapter says of them.";
+
 fn solver_names() -> Vec<&'static str> {
     solvers::ALL.names().collect()
 }
@@ -225,6 +245,9 @@ fn list(format: Format) -> Result<()> {
         let described: Vec<_> = scenes.iter().map(entry).collect();
         return print(&pretty(&serde_json::json!({"scenes": described, "schemes": schemes::NAMES, "solvers": solver_names()}))?);
     }
-    let described: String = scenes.iter().map(|(name, description)| format!("  {name:16} {description}\n")).collect();
-    print(&format!("scenes\n{described}schemes\n  {}\nsolvers\n  {}\n", schemes::NAMES.join("\n  "), solver_names().join("\n  ")))
+    let style = style();
+    let line = |(name, description): &(String, String)| style.wrapped("  ", &" ".repeat(19), &format!("{name:16} {description}")) + "\n";
+    let described: String = scenes.iter().map(line).collect();
+    let (schemes, solvers) = (schemes::NAMES.join("\n  "), solver_names().join("\n  "));
+    print(&format!("scenes\n{described}schemes\n  {schemes}\nsolvers\n  {solvers}\n\n{}\n", style.wrapped("", "", EXPLAINED)))
 }

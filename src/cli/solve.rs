@@ -2,7 +2,7 @@
 
 use super::kind::{is_lcp, read_problem};
 use super::limits::CommonOptions;
-use super::output::{keep_input, no_answer, print, print_aside};
+use super::output::{keep_input, no_answer, print, print_aside, style};
 use super::problem_law::LawOption;
 use super::remarks::remark;
 use super::residual_names::RESIDUALS;
@@ -116,7 +116,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let believed = certificate.accepts() && !posed::is_doubtful(&residuals);
     let certificate = if believed { certificate } else { certificate.with_no_solution(posed::refuted(&problem)) };
     let report = match arguments.common.format {
-        Format::Text => certificate.text(),
+        Format::Text => style().fitted(&certificate.text()),
         Format::Json => pretty(&certificate)?,
     };
     let answer = solution.to_json(Some(posed::name(&problem)), Some(serde_json::to_value(residuals)?));

@@ -10,6 +10,9 @@ use std::fmt::Write;
 /// Directions of a polyhedral law in a plane and in space, by which a solver is asked.
 const DIRECTIONS: [usize; 2] = [2, 8];
 
+/// Columns of a cell.
+const CELL: usize = 6;
+
 /// A law in a plane and in space.
 type Pair = [Law; 2];
 
@@ -34,11 +37,14 @@ pub fn table() -> String {
     let mut text = "Which algorithm proposes the answer, with the laws that it takes: in space and in the plane (yes), in the plane alone \
                     (plane), or not (-); with * only where W is symmetric\n\n"
         .to_string();
-    let heads: Vec<&str> = laws().iter().map(|[law, _]| law.name()).collect();
-    let _ = writeln!(text, "{:20}{}", "", heads.iter().map(|head| format!(" {head:<w$}", w = head.len())).collect::<String>());
+    let short = |law: Law| -> String { law.name().split('-').filter_map(|word| word.chars().next()).collect::<String>().to_uppercase() };
+    let heads = laws().map(|[law, _]| (short(law), law.name()));
+    let explained = heads.iter().map(|(short, name)| format!("{short} {name}")).collect::<Vec<_>>().join(", ");
+    let head: String = heads.iter().map(|(short, _)| format!(" {short:<CELL$}")).collect();
+    let _ = writeln!(text, "{explained}\n\n{:20}{}", "", head.trim_end());
     for name in solvers::ALL.names() {
         let Ok(solver) = solvers::ALL.by_name(name) else { continue };
-        let cells: String = laws().iter().zip(&heads).map(|(law, head)| format!(" {:<w$}", cell(&*solver, *law), w = head.len())).collect();
+        let cells: String = laws().iter().map(|law| format!(" {:<CELL$}", cell(&*solver, *law))).collect();
         let _ = writeln!(text, "{}", format!("{name:20}{cells}").trim_end());
     }
     text + "\nWhat else a solver needs, as a compliance or a mass, it says where it refuses, with solvers that take the problem"

@@ -1,6 +1,6 @@
 //! `moreau systems`: every simulator of the chapter on the four axes, with its agreement measured now.
 
-use super::output::print;
+use super::output::{print, style};
 use super::{Answer, Format, section};
 use crate::Result;
 use crate::files::write_together;
@@ -51,7 +51,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         write_together(&[(file.as_path(), text.as_bytes())])?;
     }
     print(&match arguments.format {
-        Format::Text => systems::text(&report),
+        Format::Text => systems::text(&report, style()),
         Format::Json => pretty(&report)?,
     })?;
     Ok(report.holds().into())

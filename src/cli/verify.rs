@@ -4,7 +4,7 @@ use super::claim_filters::Filters;
 use super::near::suggestion;
 use super::output::{print, style};
 use super::{Answer, Format};
-use crate::claims::{self, Claim, JudgedClaim, Status, matches_group};
+use crate::claims::{self, CHAPTER, Claim, JudgedClaim, Status, matches_group};
 use crate::files::write_atomically;
 use crate::report::json::{ClaimEntry, ExplanationEntry, OutcomeEntry, pretty};
 use crate::report::witnesses::WitnessDocument;
@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 /// subject, fed through the same check) must come out otherwise. Exit code 0
 /// means that both hold for every claim that was run.
 #[derive(clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = format!("{EXAMPLES}\n\nThe chapter is {CHAPTER}."))]
 pub struct Arguments {
     #[command(flatten)]
     filters: Filters,

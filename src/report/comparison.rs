@@ -2,11 +2,12 @@
 
 use super::motion::{MotionReport, Quantity};
 use super::plot::{Panel, Role};
+use super::quantity::shown;
 use super::steps::StepSummary;
-use crate::number::{significant, with_unit};
+use crate::checks::text::Style;
+use crate::number::significant;
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::fmt::Write;
 
 /// The quantities of a comparison, by their names in a motion's summary, with a short heading each.
 const SHOWN: [(&str, &str); 7] = [
@@ -61,14 +62,21 @@ pub struct ComparedQuantity {
     pub value: Option<f64>,
     /// Its unit.
     pub unit: String,
+    /// What rounding alone can make of it: a value that is not larger says no more than 0; absent where that is not known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rounding: Option<f64>,
 }
 
 impl SchemeOutcome {
     /// A scheme that ran.
     pub fn ran(name: &str, summary: &[Quantity], steps: StepSummary) -> Self {
         let find = |(wanted, _): &(&str, &str)| summary.iter().find(|quantity| quantity.name == *wanted);
-        let compared =
-            |quantity: &Quantity| ComparedQuantity { name: quantity.name.into(), value: quantity.value, unit: quantity.unit.into() };
+        let compared = |quantity: &Quantity| ComparedQuantity {
+            name: quantity.name.into(),
+            value: quantity.value,
+            unit: quantity.unit.into(),
+            rounding: quantity.rounding,
+        };
         SchemeOutcome {
             name: name.into(),
             quantities: SHOWN.iter().filter_map(find).map(compared).collect(),
@@ -84,31 +92,34 @@ impl SchemeOutcome {
 }
 
 impl Comparison {
-    /// A table with a row per scheme that ran; below it those that did not, each with its reason.
-    pub fn text(&self) -> String {
+    /// A table with a row per scheme that ran, in parts below each other where it is wider than a line; below it those that did not run,
+    /// each with its reason.
+    pub fn text(&self, style: Style) -> String {
         let form = self.closed_form.as_deref().unwrap_or("none for this scene");
         let [h, duration] = [self.time_step, self.duration].map(significant);
-        let mut text = format!("scene {}, h = {h} s, {duration} s, solver {}\nclosed form: {form}\n\n", self.scene, self.solver);
+        let line = |text: String| style.wrapped("", "  ", &text) + "\n";
+        let head = format!("scene {}, h = {h} s, {duration} s, solver {}", self.scene, self.solver);
+        let mut text = line(head) + &line(format!("closed form: {form}")) + "\n";
         let ran: Vec<_> = self.schemes.iter().filter(|scheme| scheme.unsupported.is_none()).collect();
-        let shown: Vec<usize> = (0..SHOWN.len()).filter(|&k| ran.iter().any(|scheme| scheme.quantities[k].value.is_some())).collect();
-        let mut rows = vec![heading(&shown)];
+        let columns: Vec<usize> = (0..SHOWN.len()).filter(|&k| ran.iter().any(|scheme| scheme.quantities[k].value.is_some())).collect();
+        let mut rows = vec![heading(&columns)];
         for scheme in &ran {
             let cell = |&k: &usize| {
-                let ComparedQuantity { value, unit, .. } = &scheme.quantities[k];
-                value.map_or("–".into(), |value| with_unit(&significant(value), unit))
+                let ComparedQuantity { value, unit, rounding, .. } = &scheme.quantities[k];
+                value.map_or("–".into(), |value| shown(value, unit, *rounding))
             };
-            rows.push([scheme.name.clone()].into_iter().chain(shown.iter().map(cell)).collect());
+            rows.push([scheme.name.clone()].into_iter().chain(columns.iter().map(cell)).collect());
         }
         if !ran.is_empty() {
-            text += &aligned(&rows);
+            text += &in_parts(&rows, style.width).iter().map(|part| aligned(part)).collect::<Vec<_>>().join("\n");
         }
         for scheme in &ran {
             let steps = scheme.steps.as_ref().filter(|steps| steps.rejected + steps.unconverged > 0);
-            text += &steps.map(|steps| format!("{}: {}", scheme.name, steps.text())).unwrap_or_default();
+            text += &steps.map(|steps| line(format!("{}: {}", scheme.name, steps.text().trim_end()))).unwrap_or_default();
         }
         for scheme in &self.schemes {
             if let Some(reason) = &scheme.unsupported {
-                let _ = writeln!(text, "{}: unsupported: {reason}", scheme.name);
+                text += &line(format!("{}: unsupported: {reason}", scheme.name));
             }
         }
         text
@@ -117,6 +128,23 @@ impl Comparison {
 
 fn heading(shown: &[usize]) -> Vec<String> {
     ["scheme".to_string()].into_iter().chain(shown.iter().map(|&k| SHOWN[k].1.to_string())).collect()
+}
+
+/// The rows in parts of columns that fit into a line, each with the first column; a part has at least one more.
+fn in_parts(rows: &[Vec<String>], line: usize) -> Vec<Vec<Vec<String>>> {
+    let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
+    let mut parts: Vec<Vec<usize>> = Vec::new();
+    let mut used = line;
+    for k in 1..rows[0].len() {
+        if used + 2 + width(k) > line {
+            parts.push(Vec::new());
+            used = width(0);
+        }
+        used += 2 + width(k);
+        parts.last_mut().expect("a part was begun").push(k);
+    }
+    let part = |columns: &Vec<usize>, row: &Vec<String>| [0].iter().chain(columns).map(|&k| row[k].clone()).collect();
+    parts.iter().map(|columns| rows.iter().map(|row| part(columns, row)).collect()).collect()
 }
 
 /// Columns as wide as their widest cell, the first flush left.
@@ -174,13 +202,13 @@ mod tests {
 
     #[test]
     fn a_scheme_that_did_not_run_stands_below_the_table() {
-        let quantity = |name, value| Quantity { name, value, unit: "m" };
+        let quantity = |name, value| Quantity { name, value, unit: "m", rounding: None };
         let none = StepSummary { steps: 0, solved: 0, rejected: 0, unconverged: 0, worst: None };
         let ran = SchemeOutcome::ran("a", &SHOWN.map(|(name, _)| quantity(name, (name == "deepest penetration").then_some(0.5))), none);
         let schemes = vec![ran, SchemeOutcome::refused("b", "no joints".into())];
         let comparison =
             Comparison { scene: "x".into(), time_step: 0.01, duration: 1.0, solver: "auto".into(), closed_form: None, schemes };
-        let text = comparison.text();
+        let text = comparison.text(Style::PLAIN);
         assert!(text.contains("scheme  penetration\na             0.5 m\nb: unsupported: no joints\n"), "{text}");
     }
 }

@@ -1,34 +1,32 @@
 //! What `verify --explain` prints: one claim in full.
 
 use super::findings::{bearing, told};
-use super::text::{complain, line, section_of};
+use super::text::{coloured, complain, line, section_of};
 use crate::checks::text::Style;
 use crate::checks::{Finding, Voice};
-use crate::claims::{Claim, ClaimVerdict, JudgedClaim, PLACES, Status, counterpart, derive, is_moved, original};
-
-/// Columns of wrapped prose.
-const WIDTH: usize = 100;
+use crate::claims::{CHAPTER, Claim, ClaimVerdict, JudgedClaim, PLACES, Status, counterpart, derive, is_moved, original};
 
 /// One claim in full: statement, verdict, argument, findings, corrected statement, controls and sources.
 pub fn explanation(outcome: &JudgedClaim, style: Style) -> String {
     let claim = outcome.claim;
     let title = section_of(claim).map_or(claim.section(), |section| section.title);
     let mut text = String::new();
-    line(&mut text, &style.heading(&format!("{} – {title}", claim.id)));
+    let wrap = |prose: &str| style.wrapped("  ", "  ", prose);
+    line(&mut text, &style.wrapped("", "  ", &style.heading(&format!("{} – {title}", claim.id))));
+    line(&mut text, &style.wrapped("", "  ", &format!("of {CHAPTER}")));
     let severity = claim.severity.map(|severity| format!(", {}", severity.words())).unwrap_or_default();
     let repeated = original(claim.id).map(|original| format!("; repeats {original}")).unwrap_or_default();
-    line(
-        &mut text,
-        &format!("verdict: {}{severity} (evidence: {}; {}{repeated})", claim.verdict.words(), claim.evidence.word(), claim.kind.words()),
-    );
+    let verdict = coloured(claim.verdict, claim.verdict.words(), style);
+    let verdict = format!("verdict: {verdict}{severity} (evidence: {}; {}{repeated})", claim.evidence.word(), claim.kind.words());
+    line(&mut text, &style.wrapped("", "  ", &verdict));
     let mut part = |name: &str, body: &[String]| {
         line(&mut text, &format!("\n{}", style.heading(name)));
         body.iter().for_each(|paragraph| line(&mut text, paragraph));
     };
     part("The chapter says", &[wrap(claim.statement)]);
-    part("Place in the chapter", &places(claim));
+    part("Place in the chapter", &places(claim).iter().map(|place| wrap(place)).collect::<Vec<_>>());
     part(if claim.verdict == ClaimVerdict::True { "Proof" } else { "Proof or counterexample" }, &[wrap(claim.argument)]);
-    part("What this run found", &outcome.findings.iter().map(told).collect::<Vec<_>>());
+    part("What this run found", &outcome.findings.iter().map(|finding| style.wrapped("", FINDING, &told(finding))).collect::<Vec<_>>());
     part("Correct statement", &[wrap(claim.correct_statement)]);
     for (place, findings) in outcome.controls.iter().enumerate() {
         part("Control", &control(outcome, place, findings, style));
@@ -43,10 +41,13 @@ pub fn explanation(outcome: &JudgedClaim, style: Style) -> String {
     text
 }
 
+/// Where the second line of a finding begins.
+const FINDING: &str = "             ";
+
 /// Where the chapter says it, or why it does not.
 fn places(claim: &Claim) -> Vec<String> {
-    let absent = PLACES.absent.get(claim.id).map(|reason| wrap(&format!("not in the chapter: {reason}")));
-    PLACES.of(claim.id).iter().map(|place| wrap(&place.to_string())).chain(absent).collect()
+    let absent = PLACES.absent.get(claim.id).map(|reason| format!("not in the chapter: {reason}"));
+    PLACES.of(claim.id).iter().map(ToString::to_string).chain(absent).collect()
 }
 
 /// A control: what it changes, the findings that come out otherwise, those that it does not ask for, and what follows.
@@ -56,8 +57,9 @@ fn control(outcome: &JudgedClaim, place: usize, findings: &[Finding], style: Sty
         findings.iter().partition(|finding| comes_out_otherwise(finding, findings, &outcome.findings));
     let absent = |finding: &&Finding| counterpart(finding, &outcome.findings, findings).is_none();
     let missing: Vec<&str> = outcome.findings.iter().filter(deciding).filter(absent).map(|finding| finding.name.as_str()).collect();
+    let wrap = |prose: &str| style.wrapped("  ", "  ", prose);
     let mut lines = vec![wrap(outcome.claim.controls[place])];
-    lines.extend(shown.iter().map(|finding| bearing(&elsewhere(finding))));
+    lines.extend(shown.iter().map(|finding| style.wrapped("", FINDING, &bearing(&elsewhere(finding)))));
     if same.iter().any(deciding) {
         lines.push("  the other findings come out as above".into());
     }
@@ -65,11 +67,11 @@ fn control(outcome: &JudgedClaim, place: usize, findings: &[Finding], style: Sty
         lines.push(wrap(&format!("not asked of this subject: {}", missing.join("; "))));
     }
     lines.push(match (&outcome.status, derive(findings)) {
-        (Status::ControlPassed, _) => format!("  {}", style.alarm("the control was NOT contradicted")),
+        (Status::ControlPassed, _) => wrap(&style.alarm("the control was NOT contradicted")),
         (_, Ok(verdict)) if verdict != outcome.claim.verdict => {
-            format!("  with this control the verdict is another one, as it must be: {}", verdict.words())
+            wrap(&format!("with this control the verdict is another one, as it must be: {}", verdict.words()))
         }
-        _ => "  with this control something else is found, as it must be".into(),
+        _ => wrap("with this control something else is found, as it must be"),
     });
     lines
 }
@@ -91,31 +93,12 @@ fn elsewhere(finding: &Finding) -> Finding {
     finding
 }
 
-/// Breaks prose at spaces into indented lines; its own line breaks stay.
-fn wrap(prose: &str) -> String {
-    let mut lines = Vec::new();
-    for paragraph in prose.lines() {
-        let mut current = String::new();
-        for word in paragraph.split_whitespace() {
-            if !current.is_empty() && current.chars().count() + 1 + word.chars().count() > WIDTH {
-                lines.push(std::mem::take(&mut current));
-            }
-            if !current.is_empty() {
-                current.push(' ');
-            }
-            current.push_str(word);
-        }
-        lines.push(current);
-    }
-    lines.iter().map(|line| format!("  {line}")).collect::<Vec<_>>().join("\n")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::report::text::tests::outcome;
 
-    const PLAIN: Style = Style { colour: false };
+    const PLAIN: Style = Style::PLAIN;
 
     #[test]
     fn an_explanation_shows_verdict_argument_numbers_correction_control_and_sources() {
@@ -142,9 +125,10 @@ mod tests {
     }
 
     #[test]
-    fn prose_is_wrapped_at_spaces_and_keeps_its_line_breaks() {
-        let long = "word ".repeat(50);
-        assert!(wrap(&long).lines().all(|line| line.chars().count() <= WIDTH + 2));
-        assert_eq!(wrap("a\nb"), "  a\n  b");
+    fn no_line_of_an_explanation_is_wider_than_the_terminal() {
+        for width in [60, 80] {
+            let text = explanation(&outcome(Status::Supported), Style { width, ..PLAIN });
+            assert!(text.lines().all(|line| line.chars().count() <= width), "{text}");
+        }
     }
 }

@@ -3,7 +3,7 @@
 //! Numbers that are not finite become `null`, never `NaN`.
 
 use crate::checks::{Finding, FindingOrigin, Voice};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Figures, JudgedClaim, Kind, PLACES, Place, Severity, Status, original};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Figures, JudgedClaim, Kind, PLACES, Place, Severity, Status, original, title};
 use crate::{Error, Result};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -15,6 +15,8 @@ pub struct ClaimEntry {
     id: &'static str,
     /// The part of the id before its point.
     section: &'static str,
+    /// What it is about, in a few words.
+    title: &'static str,
     /// What the chapter says, with its hedges.
     statement: &'static str,
     /// What became of it.
@@ -40,6 +42,7 @@ impl From<&Claim> for ClaimEntry {
         ClaimEntry {
             id: claim.id,
             section: claim.section(),
+            title: title(claim.id),
             statement: claim.statement,
             verdict: claim.verdict,
             kind: claim.kind,

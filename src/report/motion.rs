@@ -1,14 +1,13 @@
 //! What a simulated scene shows: numbers with units, and panels of position, velocity and energy over time.
 
 use super::plot::{Curve, Panel, Role};
+pub use super::quantity::{Quantity, lines};
 use crate::mechanics::{BodyState, Mechanism, State};
-use crate::number::{larger, significant, with_unit};
+use crate::number::larger;
 use crate::scenes::ExactMotion;
+use crate::tolerance::report::{BARELY_MOVING, energy_noise, length_noise};
 use crate::trajectory::Recording;
 use crate::trajectory::metrics::{creep_speed, effective_restitutions, energy_balance, penetration, settling_time};
-use schemars::JsonSchema;
-use serde::Serialize;
-use std::fmt::Write;
 
 /// A recorded motion, with the closed form that it is compared with.
 pub struct MotionReport<'a> {
@@ -20,17 +19,6 @@ pub struct MotionReport<'a> {
     pub exact: Option<&'a ExactMotion>,
     /// Gravity \[m/s²\].
     pub gravity: f64,
-}
-
-/// One number of the summary; no value where it is not defined for this motion.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct Quantity {
-    /// What it is.
-    pub name: &'static str,
-    /// Its value.
-    pub value: Option<f64>,
-    /// Its unit.
-    pub unit: &'static str,
 }
 
 /// x, y or z of a body.
@@ -53,6 +41,9 @@ fn length([x, y, z]: [f64; 3]) -> f64 {
     x.hypot(y).hypot(z)
 }
 
+/// Coordinates that a note names.
+const NAMED: usize = 30;
+
 /// Samples of a closed form in a picture.
 const EXACT_SAMPLES: usize = 1500;
 
@@ -63,19 +54,29 @@ impl MotionReport<'_> {
         let last = self.mechanism.energy(self.recording.last());
         let ratios = self.restitutions();
         let settled = settling_time(&self.times(), &self.speeds(), self.resting_speed());
-        let quantity = |name, value, unit| Quantity { name, value, unit };
+        let steps = self.recording.impulses.len();
+        let (length, energy) = (self.length_noise(), self.largest_energy());
+        let quantity = |name, value, unit| Quantity { name, value, unit, rounding: None };
+        let rounded = |name, value, unit, bound| Quantity { name, value, unit, rounding: Some(bound) };
+        let gain = Some(balance.largest_gain).filter(|gain| gain.is_finite());
         vec![
             quantity("time step", Some(self.recording.time_step), "s"),
-            quantity("steps", Some(self.recording.impulses.len() as f64), "1"),
-            quantity("deepest penetration", Some(penetration(&self.smallest_gaps())), "m"),
+            quantity("steps", Some(steps as f64), "1"),
+            rounded("deepest penetration", Some(penetration(&self.smallest_gaps())), "m", length),
             quantity("initial energy", Some(balance.initial), "J"),
-            quantity("energy change", Some(last - balance.initial), "J"),
-            quantity("largest energy gain in a step", Some(balance.largest_gain).filter(|gain| gain.is_finite()), "J"),
+            rounded("energy change", Some(last - balance.initial), "J", energy_noise(steps, energy)),
+            rounded("largest energy gain in a step", gain, "J", energy_noise(1, energy)),
             quantity("impacts", ratios.as_ref().map(|ratios| ratios.len() as f64), "1"),
             quantity("effective restitution of the first impact", ratios.and_then(|ratios| ratios.first().copied()), "1"),
             quantity("settling time", settled, "s"),
-            quantity("creep speed at rest", settled.and_then(|settled| self.creep(settled)), "m/s"),
-            quantity("largest position error", self.exact.map(|exact| self.position_error(exact)), "m"),
+            // two positions, half of the motion apart
+            rounded(
+                "creep speed at rest",
+                settled.and_then(|settled| self.creep(settled)),
+                "m/s",
+                4.0 * length / self.recording.last().time,
+            ),
+            rounded("largest position error", self.exact.map(|exact| self.position_error(exact)), "m", length),
         ]
     }
 
@@ -100,6 +101,17 @@ impl MotionReport<'_> {
         ]
     }
 
+    /// Which coordinates [`panels`](Self::panels) leave out although they move; empty if none.
+    pub fn left_out(&self) -> String {
+        let (drawn, noise) = (self.moving(), self.length_noise());
+        let is_drawn = |(body, axis): (usize, usize)| drawn.iter().any(|one| (one.body, one.axis) == (body, axis));
+        let all = self.ranges().into_iter().filter(|(place, range)| *range > 2.0 * noise && !is_drawn(*place));
+        let names: Vec<_> = all.map(|((body, axis), _)| self.coordinate(body, axis).label).collect();
+        let more = names.len().saturating_sub(NAMED);
+        let named = names[..names.len() - more].join(", ") + &if more > 0 { format!(" and {more} more") } else { String::new() };
+        if names.is_empty() { named } else { format!("not drawn, for they move less than a twentieth of what moves farthest: {named}") }
+    }
+
     fn bodies(&self, state: &State) -> Vec<BodyState> {
         self.mechanism.bodies(&state.position, &state.velocity)
     }
@@ -119,17 +131,42 @@ impl MotionReport<'_> {
 
     /// The coordinates that vary by more than a twentieth of the largest variation, or all heights if nothing moves.
     fn moving(&self) -> Vec<Coordinate> {
+        let all = self.ranges();
+        let largest = all.iter().map(|(_, range)| *range).fold(0.0, f64::max);
+        let moving: Vec<_> = all.iter().filter(|(_, range)| *range > BARELY_MOVING * largest).collect();
+        let shown = if moving.is_empty() { all.iter().filter(|((_, axis), _)| *axis == 2).collect() } else { moving };
+        shown.into_iter().map(|((body, axis), _)| self.coordinate(*body, *axis)).collect()
+    }
+
+    fn coordinate(&self, body: usize, axis: usize) -> Coordinate {
+        Coordinate { label: format!("{} {}", self.bodies(&self.recording.samples[0])[body].name, AXES[axis]), body, axis }
+    }
+
+    /// By how much every coordinate of every body varies \[m\].
+    fn ranges(&self) -> Vec<((usize, usize), f64)> {
         let samples: Vec<Vec<BodyState>> = self.recording.samples.iter().map(|state| self.bodies(state)).collect();
-        let coordinate = |body: usize, axis: usize| Coordinate { label: format!("{} {}", samples[0][body].name, AXES[axis]), body, axis };
-        let all: Vec<_> = (0..samples[0].len()).flat_map(|body| (0..3).map(move |axis| (body, axis))).collect();
         let range = |(body, axis): (usize, usize)| {
             let values = || samples.iter().map(|bodies| bodies[body].position[axis]);
             values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
         };
-        let largest = all.iter().map(|place| range(*place)).fold(0.0, f64::max);
-        let moving: Vec<_> = all.iter().filter(|place| range(**place) > 0.05 * largest).collect();
-        let shown = if moving.is_empty() { all.iter().filter(|(_, axis)| *axis == 2).collect() } else { moving };
-        shown.into_iter().map(|(body, axis)| coordinate(*body, *axis)).collect()
+        let all = (0..samples[0].len()).flat_map(|body| (0..3).map(move |axis| (body, axis)));
+        all.map(|place| (place, range(place))).collect()
+    }
+
+    /// What rounding alone can make of a length \[m\].
+    fn length_noise(&self) -> f64 {
+        let coordinates = self.recording.samples.iter().flat_map(|state| self.bodies(state)).flat_map(|body| body.position);
+        length_noise(self.recording.impulses.len(), coordinates.fold(0.0, |largest, x| larger(x.abs(), largest)))
+    }
+
+    /// The largest sum of kinetic and potential energy, each without its sign \[J\].
+    fn largest_energy(&self) -> f64 {
+        let terms = |state: &State| {
+            let at_rest = State { velocity: 0.0 * &state.velocity, ..state.clone() };
+            let potential = self.mechanism.energy(&at_rest);
+            potential.abs() + (self.mechanism.energy(state) - potential).abs()
+        };
+        self.recording.samples.iter().map(terms).fold(0.0, |largest, sum| larger(sum, largest))
     }
 
     fn times(&self) -> Vec<f64> {
@@ -215,17 +252,6 @@ impl MotionReport<'_> {
     }
 }
 
-/// The defined quantities, one per line.
-pub fn lines(quantities: &[Quantity]) -> String {
-    let mut text = String::new();
-    for Quantity { name, value, unit } in quantities {
-        if let Some(value) = value {
-            writeln!(text, "  {name:42} {}", with_unit(&significant(*value), unit)).expect("writing to a String cannot fail");
-        }
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -234,7 +260,7 @@ mod tests {
     use crate::solvers::Auto;
     use crate::tolerance::rounding;
 
-    fn with_motion(scene: &str, scheme: &dyn Scheme, check: impl Fn(&MotionReport, &dyn Fn(&str) -> Option<f64>)) {
+    fn with_motion(scene: &str, scheme: &dyn Scheme, check: impl FnOnce(&MotionReport, &dyn Fn(&str) -> Option<f64>)) {
         let scene = named(scene).expect("a built-in scene");
         let (mechanism, start) = scene.mechanism().expect("planar");
         let exact = scene.exact_motion(&start);
@@ -305,9 +331,33 @@ mod tests {
     }
 
     #[test]
-    fn undefined_quantities_have_no_line() {
-        let quantity = |value| Quantity { name: "creep", value, unit: "m/s" };
-        assert_eq!(lines(&[quantity(None)]), "");
-        assert!(lines(&[quantity(Some(0.5))]).ends_with(" 0.5 m/s\n"));
+    fn the_energy_of_an_elastic_ball_changes_by_rounding_alone() {
+        let change = |scene: &str, scheme: &dyn Scheme| {
+            let mut text = String::new();
+            with_motion(scene, scheme, |motion, _| text = lines(&motion.summary()));
+            text.lines().find(|line| line.contains("energy change")).expect("a line").to_string()
+        };
+        assert!(!change("bouncing-ball", &MoreauJean::default()).contains("rounding"), "an impact takes energy");
+        let elastic = change("elastic-ball", &MoreauJean::default());
+        assert!(elastic.contains(" 0 J"), "{elastic}");
+    }
+
+    #[test]
+    fn coordinates_that_move_and_are_not_drawn_are_named() {
+        with_motion("two-ball-impact", &MoreauJean::default(), |motion, _| assert_eq!(motion.left_out(), ""));
+        with_motion("incline-slide", &MoreauJean::default(), |motion, _| assert_eq!(motion.left_out(), "", "x and z are drawn, y is 0"));
+        let mut scene = named("two-ball-impact").expect("a built-in scene");
+        scene.bodies[1].linear_velocity = [0.0, 0.0, 0.0];
+        scene.bodies[1].position[0] += 9.0;
+        scene.bodies[0].linear_velocity = [1.0, 0.0, 0.0];
+        scene.gravity = [0.0, 0.0, 0.0];
+        scene.bodies[1].linear_velocity = [0.01, 0.0, 0.0];
+        let (mechanism, start) = scene.mechanism().expect("planar");
+        let recording = simulate(&MoreauJean::default(), &Auto, mechanism.as_ref(), start, 0.01, 20).expect("a solvable scene");
+        let motion = MotionReport { mechanism: mechanism.as_ref(), recording: &recording, exact: None, gravity: 0.0 };
+        assert_eq!(
+            motion.left_out(),
+            format!("not drawn, for they move less than a twentieth of what moves farthest: {} x", scene.bodies[1].name)
+        );
     }
 }

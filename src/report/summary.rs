@@ -2,6 +2,7 @@
 
 use super::motion::{Quantity, lines};
 use super::steps::StepSummary;
+use super::text::Style;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -21,22 +22,21 @@ pub struct MotionSummary<'a> {
     pub closed_form: Option<&'static str>,
     /// Penetration, energy, restitution and whatever else is defined for it.
     pub quantities: Vec<Quantity>,
+    /// What is unusual about the motion, such as a penetration that is deep for the size of the body; absent where nothing is.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub remarks: Vec<String>,
     /// What the certificate says of the steps.
     pub steps: StepSummary,
 }
 
 impl MotionSummary<'_> {
     /// For reading.
-    pub fn text(&self) -> String {
-        let note = self.note.map(|note| format!("note: {note}\n")).unwrap_or_default();
+    pub fn text(&self, style: Style) -> String {
         let form = self.closed_form.unwrap_or("none for this scene");
-        format!(
-            "scene {}\nscheme {}, solver {}\nclosed form: {form}\n{note}{}{}",
-            self.scene,
-            self.scheme,
-            self.solver,
-            lines(&self.quantities),
-            self.steps.text()
-        )
+        let head =
+            [format!("scene {}", self.scene), format!("scheme {}, solver {}", self.scheme, self.solver), format!("closed form: {form}")];
+        let line = |text: String| style.wrapped("", "  ", &text) + "\n";
+        let head: String = head.into_iter().chain(self.note.map(|note| format!("note: {note}"))).map(line).collect();
+        head + &lines(&self.quantities) + &line(self.steps.text().trim_end().into())
     }
 }

@@ -1,5 +1,6 @@
 //! The systems on their four axes: text for the terminal, a table for docs/systems.md.
 
+use super::text::{Style, counted};
 use crate::number::{significant, two_digits, with_unit};
 use crate::systems::{AgreementReport, Report, SystemReport};
 use crate::tolerance::systems::{DIGITS_SHOWN, SMALLEST_SHOWN};
@@ -10,28 +11,34 @@ pub const BEGIN: &str = "<!-- systems -->";
 /// Where it ends.
 pub const END: &str = "<!-- /systems -->";
 
-/// One paragraph per system and a count as the last line.
-pub fn text(report: &Report) -> String {
+/// One paragraph per system, where to learn more, and a count as the last line.
+pub fn text(report: &Report, style: Style) -> String {
     let mut text = String::new();
     for system in &report.systems {
         let SystemReport { name, level, cone, law, algorithm, restitution, position_update, schemes, .. } = system;
-        let _ = writeln!(text, "{name}   --scheme {}", schemes.join(", "));
-        let _ = writeln!(text, "  level {level}, cone {cone}, law {law}, algorithm: {algorithm}");
-        let _ = writeln!(text, "  restitution: {restitution}; q⁺ = {position_update}");
+        let mut line = |first: &str, next: &str, line: &str| text.push_str(&(style.wrapped(first, next, line) + "\n"));
+        line("", "    ", &format!("{}   --scheme {}", style.heading(name), schemes.join(", ")));
+        line("  ", "    ", &format!("level {level}, cone {cone}, law {law}, algorithm: {algorithm}"));
+        line("  ", "    ", &format!("restitution: {restitution}; q⁺ = {position_update}"));
         for agreement in &system.held_against {
-            let mark = if agreement.holds { "✓" } else { "✗" };
+            let mark = if agreement.holds { style.yes("✓") } else { style.alarm("✗") };
             let found = agreement.difference.map_or("not a number".into(), significant);
             let bound = with_unit(&significant(agreement.tolerance), &agreement.unit);
             let used = agreement.used.map(|used| format!(" ({} of it)", two_digits(used))).unwrap_or_default();
-            let _ = writeln!(text, "  {mark} {}: {}: {found}, at most {bound}{used}", agreement.against, agreement.quantity);
+            line("  ", "    ", &format!("{mark} {}: {}: {found}, at most {bound}{used}", agreement.against, agreement.quantity));
         }
         text.push('\n');
     }
     let agreements: Vec<_> = report.systems.iter().flat_map(|system| &system.held_against).collect();
     let outside = agreements.iter().filter(|agreement| !agreement.holds).count();
-    let _ = writeln!(text, "{} systems, {} agreements, {outside} outside the tolerance", report.systems.len(), agreements.len());
-    text
+    let [systems, all] = [(report.systems.len(), "system"), (agreements.len(), "agreement")].map(|(count, word)| counted(count, word));
+    text += &(style.wrapped("", "", EXPLAINED) + "\n");
+    text + &format!("{systems}, {all}, {outside} outside the tolerance\n")
 }
+
+/// What the list does not show.
+const EXPLAINED: &str = "`moreau compare SCENE` runs the schemes; `moreau verify --list --search NAME` finds the claims that speak of a \
+                         simulator, `moreau verify --explain ID` explains one.";
 
 /// What stands between [`BEGIN`] and [`END`]: one row per system.
 pub fn markdown(report: &Report) -> String {

@@ -1,41 +1,60 @@
-//! What `verify` prints: one line per claim grouped by section, what is wrong, and a count at the end.
+//! What `verify` prints: the claims by section, what is wrong, and a count at the end.
 
 use super::findings::{found, judged};
 use crate::checks::Finding;
-pub use crate::checks::text::Style;
-use crate::claims::{Claim, ClaimVerdict, Figures, JudgedClaim, Kind, SECTIONS, Section, Status, order};
+pub use crate::checks::text::{Style, counted};
+use crate::claims::{CHAPTER, Claim, ClaimVerdict, Figures, JudgedClaim, Kind, PLACES, SECTIONS, Section, Status, order, title};
 use std::fmt::Write;
 
-/// The report of a run: claims by section, what is wrong, and the count as the last line.
+/// The report of a run: the chapter, the claims by section with their decisive numbers, what is wrong, and the count as the last line.
 pub fn outcomes(outcomes: &[JudgedClaim], style: Style) -> String {
     let width = id_width(outcomes.iter().map(|outcome| outcome.claim));
-    let mut text = String::new();
+    let mut text = chapter(style);
     let mut group = "";
     for outcome in outcomes {
         open_section(&mut text, &mut group, outcome.claim, style);
-        let number = decisive(outcome).map(found).unwrap_or_default();
         let alarm = alarm_word(&outcome.status).map(|word| format!("  {}", style.alarm(word))).unwrap_or_default();
-        line(&mut text, &format!("  {}  {number}{alarm}", columns(outcome.claim, width)));
+        line(&mut text, &head(outcome.claim, width, &alarm, style));
+        let number = decisive(outcome).map(found).unwrap_or_default();
+        line(&mut text, &style.wrapped(BELOW, FURTHER_BELOW, &number));
     }
     line(&mut text, "");
     for outcome in outcomes {
         complain(&mut text, outcome, style);
     }
-    line(&mut text, &hardness(outcomes));
-    line(&mut text, &count(outcomes));
+    line(&mut text, &style.wrapped("", "", EXPLAINED));
+    line(&mut text, &style.wrapped("", "", &hardness(outcomes)));
+    line(&mut text, &style.wrapped("", "", &count(outcomes)));
     text
 }
 
-/// The claims by section, without running anything.
+/// The chapter, and its claims by section with their statements, without running anything.
 pub fn list(claims: &[&'static Claim], style: Style) -> String {
     let width = id_width(claims.iter().copied());
-    let mut text = String::new();
+    let mut text = chapter(style);
     let mut group = "";
     for claim in claims {
         open_section(&mut text, &mut group, claim, style);
-        line(&mut text, &format!("  {}  {}", columns(claim, width), claim.statement.split_whitespace().collect::<Vec<_>>().join(" ")));
+        line(&mut text, &head(claim, width, "", style));
+        line(&mut text, &style.wrapped(BELOW, BELOW, &claim.statement.split_whitespace().collect::<Vec<_>>().join(" ")));
     }
+    line(&mut text, "");
+    line(&mut text, &style.wrapped("", "", &format!("{}. {EXPLAINED}", counted(claims.len(), "claim"))));
     text
+}
+
+/// What stands under a claim's line, and the second line of that.
+const BELOW: &str = "      ";
+const FURTHER_BELOW: &str = "        ";
+
+/// What a list of claims does not show.
+const EXPLAINED: &str =
+    "`moreau verify --explain ID` explains one: proof or counterexample, numbers, correct statement, controls, sources.";
+
+/// Which text the claims are of.
+fn chapter(style: Style) -> String {
+    let original = PLACES.headings.first().map_or("", |heading| heading.title.as_str());
+    style.wrapped("", "", &format!("Claims of {CHAPTER} ({original})")) + "\n\n"
 }
 
 /// The lines before the last one of `verify`.
@@ -68,11 +87,6 @@ pub fn quoted(name: &str) -> String {
     if name.is_empty() { "without a name".into() } else { format!("`{name}`") }
 }
 
-/// A count with its word, in the plural unless it is one.
-pub fn counted(count: usize, word: &str) -> String {
-    format!("{count} {word}{}", if count == 1 { "" } else { "s" })
-}
-
 /// How many claims have which verdict.
 fn verdicts<'a>(outcomes: impl Iterator<Item = &'a JudgedClaim> + Clone) -> String {
     let all = [ClaimVerdict::True, ClaimVerdict::Conditional, ClaimVerdict::False, ClaimVerdict::Inconsistent, ClaimVerdict::Ambiguous];
@@ -94,8 +108,25 @@ pub(super) fn section_of(claim: &Claim) -> Option<&'static Section> {
     order(claim.section()).map(|order| &SECTIONS[order])
 }
 
-fn columns(claim: &Claim, width: usize) -> String {
-    format!("{:width$}  {:15}  {:13}", claim.id, claim.verdict.words(), claim.evidence.word())
+/// Id, verdict, evidence and alarm of a claim, and its title: beside them if there is room, under them otherwise.
+fn head(claim: &Claim, width: usize, alarm: &str, style: Style) -> String {
+    let (title, evidence) = (title(claim.id), claim.evidence.word());
+    let verdict = coloured(claim.verdict, &format!("{:15}", claim.verdict.words()), style);
+    let head = format!("  {:width$}  {verdict}  {evidence:13}", claim.id);
+    let beside = 2 + width + 2 + 15 + 2 + 13 + 2 + title.chars().count() + alarm.chars().count() <= style.width;
+    if beside || title.is_empty() {
+        return format!("{head}  {title}{alarm}");
+    }
+    format!("{}{alarm}\n{}", head.trim_end(), style.wrapped(BELOW, BELOW, title))
+}
+
+/// A verdict in its colour.
+pub(super) fn coloured(verdict: ClaimVerdict, words: &str, style: Style) -> String {
+    match verdict {
+        ClaimVerdict::True => style.yes(words),
+        ClaimVerdict::False => style.no(words),
+        ClaimVerdict::Conditional | ClaimVerdict::Inconsistent | ClaimVerdict::Ambiguous => style.reserved(words),
+    }
 }
 
 fn id_width<'a>(claims: impl Iterator<Item = &'a Claim>) -> usize {
@@ -127,8 +158,9 @@ pub(super) fn complain(text: &mut String, outcome: &JudgedClaim, style: Style) {
         Status::OtherVerdict(found) => format!("the findings say: {found}; recorded is: {}", outcome.claim.verdict.words()),
         Status::Contradicted | Status::Supported => "the evidence speaks against the recorded verdict".into(),
     };
-    line(text, &format!("{} {}: {reason}", style.alarm(word), outcome.claim.id));
-    outcome.findings.iter().filter(|finding| !finding.holds()).for_each(|finding| line(text, &judged(finding)));
+    line(text, &style.wrapped("", "  ", &format!("{} {}: {reason}", style.alarm(word), outcome.claim.id)));
+    let failing = outcome.findings.iter().filter(|finding| !finding.holds());
+    failing.for_each(|finding| line(text, &style.wrapped("", "          ", &judged(finding))));
 }
 
 pub(super) fn line(text: &mut String, content: &str) {
@@ -169,14 +201,14 @@ pub(crate) mod tests {
         }
     }
 
-    const PLAIN: Style = Style { colour: false };
+    const PLAIN: Style = Style::PLAIN;
 
     #[test]
-    fn a_supported_claim_is_one_line_under_its_section_and_the_count_is_last() {
+    fn a_supported_claim_stands_under_its_section_with_its_number_and_the_count_is_last() {
         let text = outcomes(&[outcome(Status::Supported)], PLAIN);
-        let lines: Vec<_> = text.lines().collect();
-        assert_eq!(lines[0], "§4 Stewart–Trinkle time-stepping");
-        assert_eq!(lines[1], "  S4.example  false as stated  exact          length: 1 m");
+        let lines: Vec<_> = text.lines().skip_while(|line| !line.starts_with('§')).collect();
+        assert_eq!(lines[..3], ["§4 Stewart–Trinkle time-stepping", "  S4.example  false as stated  exact", "      length: 1 m"]);
+        assert!(text.starts_with("Claims of ") && text.contains("时步法") && text.contains("verify --explain ID"), "{text}");
         assert_eq!(lines.last(), Some(&"1 claim: 0 true, 0 conditional, 1 false as stated, 0 inconsistent, 0 ambiguous; 0 contradicted"));
     }
 
@@ -207,6 +239,23 @@ pub(crate) mod tests {
     #[test]
     fn colour_appears_only_when_asked_for() {
         assert!(!outcomes(&[outcome(Status::Contradicted)], PLAIN).contains('\u{1b}'));
-        assert!(outcomes(&[outcome(Status::Contradicted)], Style { colour: true }).contains("\u{1b}[1;31mCONTRADICTED"));
+        let coloured = outcomes(&[outcome(Status::Contradicted)], Style { colour: true, ..PLAIN });
+        assert!(coloured.contains("\u{1b}[1;31mCONTRADICTED") && coloured.contains("\u{1b}[31mfalse as stated\u{1b}[0m"), "{coloured}");
+    }
+
+    #[test]
+    fn no_line_is_wider_than_the_terminal() {
+        let all: Vec<&'static Claim> = crate::claims::all().collect();
+        for width in [80, 100, 120] {
+            let text = list(&all, Style { width, ..PLAIN });
+            // a mark over a letter takes no column
+            let columns = |line: &str| line.chars().filter(|letter| !('\u{300}'..='\u{36f}').contains(letter)).count();
+            // and a path is not broken
+            let wide = text.lines().find(|line| columns(line) > width && line.trim().contains(' '));
+            assert_eq!(wide, None, "{width}");
+            let statement = |claim: &Claim| claim.statement.split_whitespace().collect::<Vec<_>>().join(" ");
+            let squeezed = text.split_whitespace().collect::<Vec<_>>().join(" ");
+            assert!(all.iter().all(|claim| squeezed.contains(&statement(claim))), "every statement is shown");
+        }
     }
 }

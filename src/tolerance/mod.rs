@@ -237,6 +237,28 @@ pub mod report {
     /// that the quantity is “more than 0”.
     /// Set.
     pub const BELOW_ALL_THAT_IS_STATED: f64 = 1e-9;
+
+    /// What rounding alone can make of a length in a motion of coordinates up to `size` \[m\], after `steps` steps: each rounds the product
+    /// h v, whose size is that of a way travelled, and the sum it is added to; a gap or a distance is then evaluated in 16 operations.
+    /// Derived.
+    pub fn length_noise(steps: usize, size: f64) -> f64 {
+        super::rounding(2 * steps + 16, size)
+    }
+
+    /// What rounding alone can make of the difference of two energies of a motion, each the sum of terms up to `size` \[J\]: a step rounds
+    /// velocity and position twice each, and T changes by 2 T, V by V relative to them; each energy is evaluated in 32 operations.
+    /// Derived.
+    pub fn energy_noise(steps: usize, size: f64) -> f64 {
+        super::rounding(4 * steps + 64, size)
+    }
+
+    /// Part of a body's smallest half extent from which on a penetration is remarked on: nothing is judged by it.
+    /// Set.
+    pub const DEEP: f64 = 0.1;
+
+    /// Part of the largest way of a coordinate below which a coordinate is not drawn.
+    /// Set.
+    pub const BARELY_MOVING: f64 = 0.05;
 }
 
 /// Tolerances of [`crate::cli`].

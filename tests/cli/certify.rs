@@ -258,3 +258,20 @@ fn an_lcp_has_no_units_and_a_problem_may_have_no_name() {
     let solved = moreau(&["solve", &unnamed]);
     assert!(solved.message.starts_with("problem without a name, law coulomb") && solved.message.contains("N·s"), "{}", solved.message);
 }
+
+#[test]
+fn the_example_in_the_help_parses_and_is_a_solution() {
+    let folder = Folder::new("certify-help");
+    let help = moreau(&["certify", "--help"]).output;
+    let starts: Vec<usize> = help.match_indices("{\"schema\"").map(|(start, _)| start).collect();
+    let parsed = |start: &usize| serde_json::Deserializer::from_str(&help[*start..]).into_iter::<serde_json::Value>().next();
+    let texts = starts.iter().filter_map(|start| Some(parsed(start)?.ok()?.to_string()));
+    let [problem, solution]: [String; 2] = texts.collect::<Vec<_>>().try_into().expect("a problem and a solution");
+    assert!(solution.contains("solution/1"), "{solution}");
+    let (problem, solution) = (folder.file("problem.json", &problem), folder.file("solution.json", &solution));
+    let run = moreau(&["certify", &problem, &solution]);
+    assert_eq!(run.code, 0, "{}{}", run.output, run.message);
+    // it is the problem that `moreau new problem` writes
+    let written = moreau(&["new", "problem"]).json();
+    assert_eq!(serde_json::from_str::<serde_json::Value>(&std::fs::read_to_string(&problem).expect("written")).expect("JSON"), written);
+}

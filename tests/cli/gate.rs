@@ -12,7 +12,7 @@ fn gate(before: &[&str], scheme: &str) -> Run {
 fn our_own_scheme_passes_through_the_same_door() {
     let run = gate(&[], "moreau-jean");
     assert_eq!(run.code, 0, "{}{}", run.output, run.message);
-    assert!(run.output.contains("pass") && run.output.contains("1 checks: 1 pass"), "{}", run.output);
+    assert!(run.output.contains("pass") && run.output.contains("1 check: 1 pass"), "{}", run.output);
     let json = gate(&["--format", "json"], "moreau-jean").json();
     assert_eq!(json["report"]["schema"], "gate-report/1");
     assert_eq!(json["report"]["checks"][0]["verdict"], "pass");
@@ -35,6 +35,8 @@ fn every_output_is_written_and_read_back() {
     let read = |name: &str| std::fs::read_to_string(name).unwrap_or_else(|error| panic!("{name}: {error}"));
     assert!(read(&junit).contains("<testcase name=\"flight/projectile\""));
     assert!(read(&html).starts_with("<!DOCTYPE html>") && !read(&html).contains("src="), "self-contained");
+    let made = format!("Judged by moreau {} on 20", env!("CARGO_PKG_VERSION"));
+    assert!(read(&html).contains(&made), "{made}");
     assert!(serde_json::from_str::<moreau::gate::Report>(&read(&out)).is_ok());
     let run = gate(&["--baseline", &baseline], "moreau-jean");
     assert_eq!(run.code, 0, "{}", run.output);
@@ -106,15 +108,44 @@ fn every_check_can_be_listed_and_explained() {
     refused.is_refused(&["ball/energy"]);
 }
 
+/// An entry of the index of written scenes.
+#[derive(serde::Deserialize)]
+struct Request {
+    file: String,
+    time_step: f64,
+    sample_every: usize,
+}
+
+fn requests(folder: &str) -> Vec<Request> {
+    let text = std::fs::read_to_string(format!("{folder}/index.json")).expect("an index");
+    serde_json::from_str(&text).expect("a list of requests")
+}
+
+#[test]
+fn every_written_scene_is_a_file_that_simulate_reads() {
+    let folder = Folder::new("gate-scenes");
+    let scenes = folder.path("scenes");
+    let chosen = ["--only", "flight/,ball/,incline/stick,round/", "--steps", "1/60,1/240"];
+    let run = moreau(&[&["gate", "--write-scenes", &scenes], &chosen[..]].concat());
+    assert_eq!(run.code, 0, "{}", run.message);
+    let requests = requests(&scenes);
+    assert!(requests.len() > 8 && run.output.starts_with(&format!("{} scenes in ", requests.len())), "{}", run.output);
+    for Request { file, time_step, sample_every } in &requests {
+        assert!(file.chars().all(|letter| letter.is_ascii_alphanumeric() || "-.".contains(letter)), "{file}");
+        assert!([1.0 / 60.0, 1.0 / 240.0].contains(time_step) && *sample_every >= 1, "{file}: {time_step} {sample_every}");
+        let (step, scene) = (time_step.to_string(), format!("{scenes}/{file}"));
+        let run = moreau(&["simulate", "--scene", &scene, "--step", &step, "--duration", &step]);
+        assert_eq!(run.code, 0, "{file}: {}", run.message);
+    }
+}
+
 #[test]
 fn stored_trajectories_are_judged_like_a_program() {
     let folder = Folder::new("gate-stored");
     let scenes = folder.path("scenes");
     let run = moreau(&["gate", "--only", "flight/projectile", "--steps", "0.01", "--write-scenes", &scenes]);
     assert_eq!(run.code, 0, "{}", run.message);
-    let request = std::fs::read_dir(&scenes).expect("written").next().expect("one request").expect("readable").path();
-    let request: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(request).expect("readable")).expect("json");
-    let scene = folder.file("scene.json", &request["scene"].to_string());
+    let scene = folder.path(&format!("scenes/{}", requests(&scenes)[0].file));
     let answer = folder.path("answer.json");
     let run = moreau(&["simulate", "--scene", &scene, "--step", "0.01", "--out", &answer]);
     assert_eq!(run.code, 0, "{}", run.message);

@@ -38,7 +38,10 @@ fn an_engine_is_judged_stored_and_rendered_and_a_missing_one_is_not_run() {
 
     // an engine that is no longer there keeps its stored result
     let engines = list(&[entry("ours", &["/no/such/engine"])]);
-    let run = scoreboard(&folder, &engines, &["--format", "json"]);
+    let html = folder.path("page.html");
+    let run = scoreboard(&folder, &engines, &["--format", "json", "--html", &html]);
+    let page = std::fs::read_to_string(&html).expect("the page");
+    assert!(page.contains(&format!("Written by moreau {} on 20", env!("CARGO_PKG_VERSION"))) && page.contains("id=\"engine:ours\""));
     assert!(run.message.contains("the stored result stays"), "{}", run.message);
     assert_eq!(run.json()["engines"][0]["report"]["engine"]["name"], "anitescu");
 }
@@ -67,4 +70,30 @@ fn a_readme_without_markers_and_a_list_without_the_engine_are_refused() {
     let engines = list(&[entry("gone", &["/no/such/engine"])]);
     scoreboard(&folder, &engines, &[]).is_refused(&["README.md", "<!-- scoreboard -->"]);
     scoreboard(&folder, &engines, &["--only", "mujoco"]).is_refused(&["--only", "gone"]);
+}
+
+/// A run in a folder that is no checkout.
+fn elsewhere(folder: &Folder, arguments: &[&str]) -> super::Run {
+    let output = super::command(arguments).current_dir(&folder.0).env("COLUMNS", "80").output().expect("the built command starts");
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("output is UTF-8");
+    super::Run { code: output.status.code().expect("not killed"), output: text(output.stdout), message: text(output.stderr) }
+}
+
+#[test]
+fn the_stored_results_are_shown_outside_of_a_checkout() {
+    let folder = Folder::new("scoreboard-elsewhere");
+    let run = elsewhere(&folder, &["scoreboard", "--stored"]);
+    assert_eq!((run.code, run.message.as_str()), (0, ""));
+    for words in ["mujoco-elliptic (", "siconos (", "bullet (", "not passed: ", "moreau gate --explain CHECK"] {
+        assert!(run.output.contains(words), "{words} in {}", run.output);
+    }
+    assert!(run.output.lines().all(|line| line.chars().count() <= 80), "{}", run.output);
+    let one = elsewhere(&folder, &["scoreboard", "--stored", "--only", "siconos-orthonormal", "--format", "json"]).json();
+    assert_eq!(one["engines"].as_array().map(Vec::len), Some(1));
+    let html = folder.path("board.html");
+    assert_eq!(elsewhere(&folder, &["scoreboard", "--stored", "--html", &html]).code, 0);
+    assert_eq!(folder.names(), ["board.html"], "nothing else is written");
+    elsewhere(&folder, &["scoreboard", "--stored", "--only", "godot"]).is_refused(&["--only", "mujoco"]);
+    elsewhere(&folder, &["scoreboard"]).is_refused(&["--engines", "checkout", "scoreboard --stored"]);
+    assert_eq!(folder.names(), ["board.html"], "not even the folder of the results");
 }

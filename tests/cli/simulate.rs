@@ -255,3 +255,62 @@ fn a_time_step_may_be_a_fraction() {
     }
     assert!(run("1/x").message.contains("1/240"));
 }
+
+#[test]
+fn the_help_groups_the_options_by_scheme() {
+    let help = moreau(&["simulate", "--help"]).output;
+    let group = |option: &str| {
+        let start = help.find(&format!("--{option} ")).unwrap_or_else(|| panic!("{option} in {help}"));
+        let heading = help[..start].lines().rev().find(|line| !line.starts_with(' ') && line.ends_with(':'));
+        heading.expect("a heading").to_string()
+    };
+    assert_eq!(group("theta"), "Options of moreau-jean and moreau-jean-projection:");
+    assert_eq!(group("sweeps"), "Options of xpbd and pbd:");
+    assert!(group("solref").starts_with("Options of mujoco") && group("stiffness").starts_with("Options of drake-sap"));
+    assert_eq!([group("restitution"), group("step"), group("plot")], ["Options:", "Options:", "Options:"]);
+}
+
+#[test]
+fn a_deep_penetration_is_remarked_on_and_a_shallow_one_is_not() {
+    let ball = ["simulate", "--scene", "ball-drop", "--step"];
+    let deep = moreau(&[&ball[..], &["0.05"]].concat());
+    assert!(deep.code == 0 && deep.message.starts_with("remark: ball and ground overlap by "), "{}", deep.message);
+    assert!(!deep.output.contains("overlap"), "{}", deep.output);
+    let json = moreau(&[&ball[..], &["0.05", "--format", "json"]].concat());
+    assert_eq!(json.message, "");
+    assert!(json.json()["remarks"][0].as_str().is_some_and(|remark| remark.contains("half extent of ball")), "{}", json.output);
+    let shallow = moreau(&[&ball[..], &["0.001", "--format", "json"]].concat());
+    assert!(shallow.message.is_empty() && shallow.json().get("remarks").is_none(), "{}", shallow.output);
+}
+
+#[test]
+fn rounding_is_shown_as_such() {
+    let elastic = ["simulate", "--scene", "elastic-ball", "--step", "0.01"];
+    let text = moreau(&elastic).output;
+    let line = |name: &str| text.lines().find(|line| line.trim_start().starts_with(name)).unwrap_or_default().to_string();
+    assert!(line("energy change").contains(" 0 J"), "{text}");
+    let json = moreau(&[&elastic[..], &["--format", "json"]].concat()).json();
+    let change =
+        json["quantities"].as_array().expect("a list").iter().find(|one| one["name"] == "energy change").expect("a change").clone();
+    let [value, bound] = [&change["value"], &change["rounding"]].map(|number| number.as_f64().expect("a number"));
+    assert!(value.abs() <= bound && bound < 1e-9, "{change}");
+    let fallen = moreau(&["simulate", "--scene", "ball-drop", "--step", "0.01"]).output;
+    assert!(fallen.lines().any(|line| line.contains("energy change") && !line.contains("rounding") && line.contains("-9.")), "{fallen}");
+}
+
+#[test]
+fn a_picture_of_many_bodies_names_every_curve_and_what_is_left_out() {
+    let folder = Folder::new("simulate-many");
+    let mut scene = named("ball-drop").expect("built in");
+    let ball = scene.bodies[0].clone();
+    scene.bodies =
+        (0..19).map(|k| moreau::scenes::Body { name: format!("ball{k}"), position: [f64::from(k), 0.0, 1.1], ..ball.clone() }).collect();
+    scene.bodies[18].linear_velocity = [0.01, 0.0, 0.0];
+    let file = folder.file("many.json", &scene.to_json().expect("valid"));
+    let plot = folder.path("many.svg");
+    let run = moreau(&["simulate", "--scene", &file, "--step", "0.01", "--duration", "0.4", "--plot", &plot]);
+    assert_eq!(run.code, 0, "{}", run.message);
+    let picture = std::fs::read_to_string(&plot).expect("drawn");
+    assert!((0..19).all(|k| picture.matches(&format!("ball{k} z\n")).count() == 2), "the legends of positions and velocities");
+    assert!(picture.contains("not drawn, for they move less than a twentieth of what moves farthest: ball18 x"), "what is left out");
+}

@@ -84,20 +84,32 @@ pub fn read(folder: &Path) -> Result<Vec<Cause>> {
 }
 
 fn read_file(file: &Path) -> Result<Vec<Cause>> {
-    let text = read_text(file)?;
-    let causes = toml::from_str::<File>(&text)
-        .map_err(|error| Error::invalid("the file", error.message().to_string(), "see the other files of the folder").in_file(file))?
+    from_toml(&read_text(file)?).map_err(|error| error.in_file(file))
+}
+
+/// The causes in a text.
+///
+/// # Errors
+/// [`Error::Invalid`] if it is not TOML of this form or names a check that does not exist.
+pub fn from_toml(text: &str) -> Result<Vec<Cause>> {
+    let causes = toml::from_str::<File>(text)
+        .map_err(|error| Error::invalid("the file", error.message().to_string(), "see the other files of the folder"))?
         .cause;
     match causes.iter().flat_map(|cause| &cause.checks).find(|name| checks::find(name).is_none()) {
-        Some(name) => Err(Error::invalid("cause.checks", format!("there is no check `{name}`"), "see `moreau gate --list`").in_file(file)),
+        Some(name) => Err(Error::invalid("cause.checks", format!("there is no check `{name}`"), "see `moreau gate --list`")),
         None => Ok(causes),
     }
 }
 
 /// The cause of a cell.
 pub fn find<'a>(causes: &'a [Cause], engine: &str, check: &str) -> Option<&'a Cause> {
+    causes.iter().find(|cause| is_of(cause, engine, check))
+}
+
+/// Whether it is the cause of this cell.
+pub fn is_of(cause: &Cause, engine: &str, check: &str) -> bool {
     let names = |list: &[String], name: &str| list.iter().any(|one| one == name);
-    causes.iter().find(|cause| names(&cause.engines, engine) && names(&cause.checks, check))
+    names(&cause.engines, engine) && names(&cause.checks, check)
 }
 
 /// One line for each failed or errored cell without a stored cause, for each cell with two causes, and for each cause of a cell that

@@ -66,7 +66,7 @@ pub fn assert_check<E: Engine + Default + 'static>(name: &str) {
     let sweep = if full { SWEEP.to_vec() } else { QUICK.to_vec() };
     let plan = Plan { checks: vec![check], sweep, options: Options::new(), jobs: 1, repeats: 1, progress: &|| {} };
     match runner::run(&|| Box::new(E::default()), &plan) {
-        Ok(report) => assert!(!report.is_bad(), "\n{}\n{}", text::table(&report, Style { colour: false }), check.derivation),
+        Ok(report) => assert!(!report.is_bad(), "\n{}\n{}", text::table(&report, Style::PLAIN), check.derivation),
         Err(refusal) => panic!("the engine does not describe itself: {refusal}"),
     }
 }

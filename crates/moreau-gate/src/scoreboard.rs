@@ -50,13 +50,19 @@ impl Engines {
     /// # Errors
     /// [`Error::Read`], [`Error::Json`], or [`Error::Invalid`] if two entries have one name or a command is empty.
     pub fn read(file: &Path) -> Result<Self> {
-        let engines: Engines = read_json(file)?;
+        Engines::from_json(&read_text(file)?).map_err(|error| error.in_file(file))
+    }
+
+    /// The list in a text.
+    ///
+    /// # Errors
+    /// [`Error::Json`], or [`Error::Invalid`] if two entries have one name or a command is empty.
+    pub fn from_json(text: &str) -> Result<Self> {
+        let engines: Engines = serde_json::from_str(text)?;
         for (k, entry) in engines.engines.iter().enumerate() {
             if entry.command.is_empty() || engines.engines[..k].iter().any(|other| other.name == entry.name) {
                 let problem = format!("`{}` has no command or a name that is taken", entry.name);
-                return Err(
-                    Error::invalid(format!("engines[{k}]"), problem, "give every configuration its own name and a command").in_file(file)
-                );
+                return Err(Error::invalid(format!("engines[{k}]"), problem, "give every configuration its own name and a command"));
             }
         }
         Ok(engines)
@@ -125,11 +131,14 @@ impl Standing {
     /// # Errors
     /// [`Error::Read`] or [`Error::Json`] with the file's name.
     pub fn read(file: &Path) -> Result<Self> {
-        read_json(file)
+        Standing::from_json(&read_text(file)?).map_err(|error| error.in_file(file))
     }
-}
 
-fn read_json<T: serde::de::DeserializeOwned>(file: &Path) -> Result<T> {
-    let text = read_text(file)?;
-    serde_json::from_str(&text).map_err(|error| Error::from(error).in_file(file))
+    /// The standing in a text.
+    ///
+    /// # Errors
+    /// [`Error::Json`].
+    pub fn from_json(text: &str) -> Result<Self> {
+        Ok(serde_json::from_str(text)?)
+    }
 }

@@ -28,8 +28,6 @@ pub struct Certificate {
     posed: Arc<Posed>,
     solution: Arc<moreau::Solution>,
     residuals: JointedResiduals,
-    /// The largest relative residual that is accepted.
-    #[pyo3(get)]
     tolerance: f64,
     no_solution: Option<String>,
 }
@@ -45,6 +43,9 @@ pub fn certify(
 ) -> PyResult<Certificate> {
     let (py, problem) = (impulse.py(), problem.get());
     let solution = match impulse.cast::<Solution>() {
+        Ok(_) if velocity.is_some() => {
+            return Err(invalid(py, "velocity", "is given beside a Solution, which has its own", "give solution.impulse and velocity"));
+        }
         Ok(solution) => solution.get().solution.clone(),
         Err(_) => {
             let impulse = problem.impulse(impulse)?;
@@ -88,6 +89,11 @@ impl Certificate {
     pub fn with_refutation(self) -> Self {
         let no_solution = self.no_solution.or_else(|| posed::refuted(&self.posed));
         Certificate { no_solution, ..self }
+    }
+
+    /// What is accepted.
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance
     }
 
     /// The proof that there is no solution, where there is one.
@@ -150,6 +156,12 @@ impl Certificate {
 
 #[pymethods]
 impl Certificate {
+    /// The largest relative residual that is accepted.
+    #[getter(tolerance)]
+    fn limit(&self) -> f64 {
+        self.tolerance
+    }
+
     /// The proof that the problem has no solution, where there is one; then no answer is accepted.
     #[getter(no_solution)]
     fn refutation(&self) -> Option<&str> {

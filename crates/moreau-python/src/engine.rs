@@ -48,9 +48,6 @@ impl PythonEngine {
     }
 
     fn ask<T>(&mut self, question: Question, read: impl FnOnce(&str) -> Result<T>) -> Reply<T> {
-        if self.shared.stopped.load(Ordering::Relaxed) {
-            return Err(Refusal::errored("the run was interrupted"));
-        }
         self.id += 1;
         let reply = self.exchange(&Request::new(self.id, question).line()).map_err(Refusal::errored)?;
         let answer = messages::open(reply.as_bytes(), Some(self.id)).map_err(Refusal::errored)?;
@@ -59,6 +56,45 @@ impl PythonEngine {
             Answer::Unsupported(reason) => Err(Refusal::Unsupported(reason)),
             Answer::Error(message) => Err(Refusal::Errored(message)),
         }
+    }
+}
+
+/// An engine that is asked nothing more once the run is to end.
+pub struct Stoppable {
+    /// The engine.
+    pub engine: Box<dyn Engine>,
+    /// Whether the run is to end.
+    pub stopped: Arc<AtomicBool>,
+}
+
+impl Stoppable {
+    fn ask<T>(&mut self, question: impl FnOnce(&mut dyn Engine) -> Reply<T>) -> Reply<T> {
+        match self.stopped.load(Ordering::Relaxed) {
+            true => Err(Refusal::errored("the run was interrupted")),
+            false => question(self.engine.as_mut()),
+        }
+    }
+}
+
+impl Engine for Stoppable {
+    fn describe(&mut self, options: &Options) -> Reply<Description> {
+        self.ask(|engine| engine.describe(options))
+    }
+
+    fn simulate(&mut self, scene: &Scene, time_step: f64, sample_every: usize, options: &Options) -> Reply<Trajectory> {
+        self.ask(|engine| engine.simulate(scene, time_step, sample_every, options))
+    }
+
+    fn solve(&mut self, problem: &ContactProblem, options: &Options) -> Reply<Solution> {
+        self.ask(|engine| engine.solve(problem, options))
+    }
+
+    fn project(&mut self, friction: f64, points: &[Vec<f64>], options: &Options) -> Reply<Vec<Vec<f64>>> {
+        self.ask(|engine| engine.project(friction, points, options))
+    }
+
+    fn in_conversation(&self) -> bool {
+        self.engine.in_conversation()
     }
 }
 

@@ -45,6 +45,7 @@ fn in_python(message: &str) -> String {
         }
         _ => word.to_string(),
     };
+    let message = message.replace("call `memory::set_limit`", "call moreau_contact.set_memory_limit(bytes)");
     message.split(' ').map(word).collect::<Vec<_>>().join(" ")
 }
 

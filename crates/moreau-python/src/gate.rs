@@ -1,12 +1,12 @@
 //! `gate` and `checks`: an engine that is a Python class, or a command, through the checks.
 
-use crate::engine::{PythonEngine, Shared};
+use crate::engine::{PythonEngine, Shared, Stoppable};
 use crate::errors::{IntoPython, invalid};
 use crate::interrupt;
 use crate::report::Report;
 use moreau::cli::progress as bars;
 use moreau::gate::baseline::Baseline;
-use moreau::gate::process::{Limits, ProcessEngine};
+use moreau::gate::process::{Limits, ProcessEngine, end_engines};
 use moreau::gate::runner::{QUICK, SWEEP, run_watched};
 use moreau::gate::{Check, Engine, Options, Plan, Refusal, Run, checks as registry, conformance, planted};
 use moreau::report::gate::conformance::text as conformance_text;
@@ -71,10 +71,17 @@ pub fn gate(
             let (class, shared) = (Mutex::new(class), shared.clone());
             Box::new(move || {
                 let class = class.lock().unwrap_or_else(PoisonError::into_inner);
-                Box::new(PythonEngine::new(Python::attach(|py| class.clone_ref(py)), shared.clone()))
+                let engine = PythonEngine::new(Python::attach(|py| class.clone_ref(py)), shared.clone());
+                Box::new(Stoppable { engine: Box::new(engine), stopped: shared.stopped.clone() })
             })
         }
-        None => Box::new(move || Box::new(ProcessEngine::new(command.clone(), limits))),
+        None => {
+            let stopped = shared.stopped.clone();
+            Box::new(move || {
+                let engine = ProcessEngine::new(command.clone(), limits);
+                Box::new(Stoppable { engine: Box::new(engine), stopped: stopped.clone() })
+            })
+        }
     };
     let bar = bars::parts(0, "measurements");
     let plan = Plan { checks, sweep: steps, options, jobs, repeats, progress: &|| bar.inc(1) };
@@ -99,6 +106,7 @@ pub fn gate(
     };
     let report = interrupt::watched(py, work, || {
         shared.stopped.store(true, Ordering::Relaxed);
+        end_engines();
         Python::attach(|py| {
             // the engine that is being asked is told; if even that fails, its answer is awaited
             let _ = py.import("moreau_contact._engine").and_then(|glue| glue.call_method0("interrupt"));
@@ -121,9 +129,9 @@ pub fn baseline_steps(py: Python<'_>, file: std::path::PathBuf) -> PyResult<Vec<
 pub fn protocol_check(py: Python<'_>, command: Vec<String>, time_limit: f64) -> PyResult<(String, String, bool)> {
     let reply = seconds(py, "time_limit", time_limit)?;
     let limits = Limits { reply, start: reply, ..Limits::default() };
-    let outcome = interrupt::watched(py, || conformance::conformance(&command, limits), || {})?;
+    let outcome = interrupt::watched(py, || conformance::conformance(&command, limits), end_engines)?;
     let outcome = outcome.map_err(|fault| cannot_run(py, &Refusal::errored(fault)))?;
-    Ok((conformance_text(&outcome, Style { colour: false }), pretty(&outcome).python(py)?, outcome.is_sound()))
+    Ok((conformance_text(&outcome, Style::PLAIN), pretty(&outcome).python(py)?, outcome.is_sound()))
 }
 
 /// What the probes find wrong with an engine that describes itself.

@@ -7,6 +7,32 @@ use std::time::Duration;
 /// How often Python is asked for signals.
 const LOOK: Duration = Duration::from_millis(50);
 
+/// Does `work` in a thread of its own, which knows nothing of Python; at Ctrl-C `stop` is called and `KeyboardInterrupt` raised at once.
+/// The work is not awaited: it ends at its next look, and nobody hears it.
+///
+/// # Errors
+/// What Python raises while it waits.
+///
+/// # Panics
+/// As the work.
+pub fn abandoned<T: Send + 'static>(py: Python<'_>, work: impl FnOnce() -> T + Send + 'static, stop: impl Fn() + Sync) -> PyResult<T> {
+    py.detach(|| {
+        let (done, ended) = channel();
+        let worker = std::thread::spawn(move || {
+            let result = work();
+            let _ = done.send(());
+            result
+        });
+        while let Err(RecvTimeoutError::Timeout) = ended.recv_timeout(LOOK) {
+            if let Err(raised) = Python::attach(|py| py.check_signals()) {
+                stop();
+                return Err(raised);
+            }
+        }
+        worker.join().map_or_else(|panic| std::panic::resume_unwind(panic), Ok)
+    })
+}
+
 /// Does `work` in a thread of its own, without the lock of the interpreter; at Ctrl-C `stop` is called, the work is awaited, and
 /// `KeyboardInterrupt` raised.
 ///
@@ -29,9 +55,10 @@ pub fn watched<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send, stop: i
             while let Err(RecvTimeoutError::Timeout) = ended.recv_timeout(LOOK) {
                 if raised.is_ok() {
                     raised = Python::attach(|py| py.check_signals());
-                    if raised.is_err() {
-                        stop();
-                    }
+                }
+                // again and again: what is just being begun is told as well
+                if raised.is_err() {
+                    stop();
                 }
             }
             let result = worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));

@@ -48,6 +48,12 @@ mod _native {
         py.detach(|| moreau::cli::run_with(arguments))
     }
 
+    /// Sets how many bytes one computation may take; what needs more is refused before it is begun.
+    #[pyfunction]
+    fn set_memory_limit(bytes: u64) {
+        moreau::memory::set_limit(bytes);
+    }
+
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("__version__", env!("CARGO_PKG_VERSION"))

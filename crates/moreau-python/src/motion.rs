@@ -70,7 +70,7 @@ pub fn scenes() -> Vec<&'static str> {
 }
 
 fn text_of(dict: &Bound<'_, PyDict>) -> PyResult<String> {
-    dict.py().import("json")?.call_method1("dumps", (dict,))?.extract()
+    dict.py().import("moreau_contact._engine")?.call_method1("text_of", (dict,))?.extract()
 }
 
 #[pymethods]

@@ -4,11 +4,11 @@
 //!     rows per contact   len(u_free)/len(mu), or 3 where μ is one number for all contacts; 1 without friction and without mu
 //! ```
 
-use crate::arrays::{Matrix, column, matrix, vector};
+use crate::arrays::{Matrix, column, matrix, number, vector};
 use crate::errors::{IntoPython, invalid};
 use crate::problem::Problem;
 use moreau::problem::{ContactProblem, ContactProblemBuilder, Law, Posed};
-use moreau::{Error, Result};
+use moreau::{Error, Result, memory};
 use moreau_contact::operator::{BlockSparse, Sparse, SparseDynamics};
 use nalgebra::DVector;
 use pyo3::prelude::*;
@@ -51,6 +51,7 @@ pub fn pose(arguments: &Arguments) -> PyResult<Problem> {
     let friction = friction.map_or(vec![0.0; free.len() / per_contact], |friction| friction.of_each(free.len() / per_contact));
     let shift = arguments.shift.map(|shift| vector(shift, "shift")).transpose()?;
     let name = arguments.name;
+    memory::require("posing this problem", operator.bytes(free.len())).python(py)?;
     let built = py.detach(|| {
         let begun = operator.begin(per_contact)?.free_velocity(column(free)).rows_per_contact(per_contact);
         let begun = begun.law(law).friction(friction).name(name);
@@ -97,9 +98,9 @@ enum Friction {
 
 impl Friction {
     fn of(given: &Bound<'_, PyAny>) -> PyResult<Self> {
-        match given.extract::<f64>() {
-            Ok(same) => Ok(Friction::Same(same)),
-            Err(_) => vector(given, "mu").map(Friction::Each),
+        match number(given, "mu")? {
+            Some(same) => Ok(Friction::Same(same)),
+            None => vector(given, "mu").map(Friction::Each),
         }
     }
 
@@ -149,6 +150,14 @@ impl Operator {
                 }
                 Err(_) => matrix(given, "W").map(Operator::Delassus),
             },
+        }
+    }
+
+    /// What W takes: dense M and H make it dense.
+    fn bytes(&self, rows: usize) -> u128 {
+        match self {
+            Operator::Mechanism(Matrix::Dense(_), Matrix::Dense(_)) => memory::matrix(rows, rows),
+            _ => 0,
         }
     }
 

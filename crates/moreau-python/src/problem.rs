@@ -4,8 +4,8 @@ use crate::arrays::{column, to_matrix, to_vector, vector};
 use crate::errors::{IntoPython, invalid};
 use crate::posing::{Arguments, law_of, pose};
 use moreau::cli::posed;
-use moreau::files;
 use moreau::problem::{Law, Posed};
+use moreau::{files, memory};
 use nalgebra::DVector;
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
@@ -172,6 +172,7 @@ impl Problem {
     /// The Delassus operator [1/kg] as a dense array, rows × rows.
     #[getter(W)]
     fn delassus<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        memory::require("W as a dense array", 3 * memory::matrix(self.rows(), self.rows())).python(py)?;
         match &*self.posed {
             Posed::Contacts(problem) => to_matrix(py, problem.dense()),
             Posed::Jointed(problem) => to_matrix(py, problem.delassus()),

@@ -14,6 +14,11 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+/// The day by Python's clock, as ISO 8601 writes it.
+fn today(py: Python<'_>) -> PyResult<String> {
+    py.import("datetime")?.getattr("date")?.call_method0("today")?.call_method0("isoformat")?.extract()
+}
+
 /// What the gate found; true where something was answered, nothing is bad, and nothing became worse than the baseline.
 #[pyclass(frozen, module = "moreau_contact")]
 pub struct Report {
@@ -77,7 +82,7 @@ impl Report {
 
     /// The same report beside a baseline, of which it may hold a part: some checks, some of its time steps.
     fn compare(&self, py: Python<'_>, file: PathBuf) -> PyResult<Self> {
-        let today = py.import("datetime")?.getattr("date")?.call_method0("today")?.call_method0("isoformat")?.extract::<String>()?;
+        let today = today(py)?;
         let compared = Baseline::read(&file).and_then(|baseline| {
             let today = today.parse().map_err(|error| moreau::Error::Unsupported(format!("the date {today} is none: {error}")))?;
             baseline.at(&self.report.sweep).compare(&self.report, today).map_err(|error| error.in_file(&file))
@@ -92,8 +97,9 @@ impl Report {
         let Some(first) = parts.first() else {
             return Err(invalid(py, "parts", "is empty", "give at least one report"));
         };
-        if let Some(other) = parts.iter().find(|part| part.report.engine.name != first.report.engine.name) {
-            let problem = format!("is of `{}` and of `{}`", first.report.engine.name, other.report.engine.name);
+        let of = |part: &Report| format!("{} {} with the options {}", part.engine(), part.version(), options_of(part));
+        if let Some(other) = parts.iter().find(|part| of(part) != of(first)) {
+            let problem = format!("is of {} and of {}", of(first), of(other));
             return Err(invalid(py, "parts", problem, "join the reports of one engine"));
         }
         let mut sweep: Vec<f64> = parts.iter().flat_map(|part| &part.report.sweep).copied().collect();
@@ -105,6 +111,13 @@ impl Report {
             steps.sort_by(|one, other| other.time_step.unwrap_or(0.0).total_cmp(&one.time_step.unwrap_or(0.0)));
             steps
         };
+        let twice = checks::all().find(|check| {
+            let steps: Vec<_> = steps_of(check.name).into_iter().map(|step| step.time_step).collect();
+            steps.windows(2).any(|pair| pair[0] == pair[1])
+        });
+        if let Some(check) = twice {
+            return Err(invalid(py, "parts", format!("has `{}` twice at one time step", check.name), "give each measurement once"));
+        }
         let outcomes = checks::all().map(|check| (check.name, steps_of(check.name))).filter(|(_, steps)| !steps.is_empty());
         let checks = outcomes.map(|(name, steps)| CheckOutcome::new(name, steps)).collect();
         let times = parts.iter().flat_map(|part| part.times.clone()).collect();
@@ -122,9 +135,11 @@ impl Report {
         baseline: Option<PathBuf>,
     ) -> PyResult<()> {
         let mut texts: Vec<(PathBuf, String)> = Vec::new();
+        let day = today(py)?;
+        let day = || day.parse().map_err(|error| moreau::Error::Unsupported(format!("the date {day} is none: {error}")));
         for (file, text) in [
             (json, &(|| pretty(&self.report)) as &dyn Fn() -> moreau::Result<String>),
-            (html, &|| page::html(&self.report, self.changes.as_deref())),
+            (html, &|| page::html(&self.report, self.changes.as_deref(), day()?)),
             (junit, &|| junit::xml(&self.report, self.changes.as_deref(), &self.times)),
             (baseline, &|| Baseline::of(&self.report).to_toml()),
         ] {
@@ -147,14 +162,19 @@ impl Report {
     }
 
     fn __str__(&self) -> String {
-        let changes = self.changes.as_deref().map(text::changes).unwrap_or_default();
-        text::table(&self.report, Style { colour: false }) + &changes
+        let changes = self.changes.as_deref().map(|changes| text::changes(changes, Style::PLAIN)).unwrap_or_default();
+        text::table(&self.report, Style::PLAIN) + &changes
     }
 
     fn __repr__(&self) -> String {
         let counts = self.counts().into_iter().map(|(word, count)| format!("{count} {word}")).collect::<Vec<_>>().join(", ");
         format!("Report({:?}, {counts})", self.report.engine.name)
     }
+}
+
+/// The options of an engine, as JSON.
+fn options_of(report: &Report) -> String {
+    serde_json::Value::Object(report.report.engine.options.clone()).to_string()
 }
 
 fn loads<'py>(py: Python<'py>, text: moreau::Result<String>) -> PyResult<Bound<'py, PyAny>> {

@@ -33,7 +33,7 @@ pub struct Solution {
 
 /// Solves a contact problem and certifies the answer.
 #[pyfunction]
-#[pyo3(signature = (W, u_free = None, mu = None, *, law = "coulomb", directions = None, shift = None, solver = "auto", tolerance = None,
+#[pyo3(signature = (W, u_free = None, mu = None, *, law = None, directions = None, shift = None, solver = "auto", tolerance = None,
                     iterations = None, warm_start = None, accept_rejected = false))]
 #[expect(non_snake_case, clippy::too_many_arguments, reason = "the names of the arguments in Python")]
 pub fn solve(
@@ -41,7 +41,7 @@ pub fn solve(
     W: &Bound<'_, PyAny>,
     u_free: Option<&Bound<'_, PyAny>>,
     mu: Option<&Bound<'_, PyAny>>,
-    law: &str,
+    law: Option<&str>,
     directions: Option<usize>,
     shift: Option<&Bound<'_, PyAny>>,
     solver: &str,
@@ -52,7 +52,7 @@ pub fn solve(
 ) -> PyResult<Py<Solution>> {
     let made;
     let problem = match (W.cast::<Problem>(), u_free) {
-        (Ok(problem), None) if mu.is_none() && shift.is_none() && directions.is_none() && law == "coulomb" => problem.get(),
+        (Ok(problem), None) if mu.is_none() && shift.is_none() && directions.is_none() && law.is_none() => problem.get(),
         (Ok(_), _) => {
             return Err(invalid(
                 py,
@@ -62,7 +62,7 @@ pub fn solve(
             ));
         }
         (Err(_), Some(u_free)) => {
-            made = pose(&Arguments { operator: W, u_free, mu, law, directions, shift, name: "" })?;
+            made = pose(&Arguments { operator: W, u_free, mu, law: law.unwrap_or("coulomb"), directions, shift, name: "" })?;
             &made
         }
         (Err(_), None) if W.extract::<PathBuf>().is_ok() => {
@@ -78,20 +78,13 @@ pub fn solve(
         return Err(invalid(py, "warm_start", given, "leave it out, or ask `auto`, which takes one"));
     }
     let (posed, size) = (problem.posed.clone(), posed::constraints(&problem.posed));
-    let work = || answer(&posed, &*asked, start.as_ref(), accepts);
-    // a proof that there is no solution is an answer of its own, unless what the solver gives is wanted all the same
-    let work = || match work() {
-        Ok((_, certificate)) if certificate.no_solution().is_some() && !accept_rejected => {
-            let proof = certificate.no_solution().unwrap_or_default();
-            Err(Error::solver(solver, moreau::error::Failure::Infeasible, proof.trim_end()))
-        }
-        other => other,
-    };
     let found = if 3 * size < LONG {
-        py.detach(work)
+        py.detach(|| proved(&posed, &*asked, start.as_ref(), accepts, accept_rejected, solver))
     } else {
         let interrupt = Interrupt::default();
-        interrupt::watched(py, || watched(&interrupt, work).0, || interrupt.now())?
+        let (posed, solver, stop) = (problem.posed.clone(), solver.to_string(), interrupt.clone());
+        let work = move || watched(&interrupt, || proved(&posed, &*asked, start.as_ref(), accepts, accept_rejected, &solver)).0;
+        interrupt::abandoned(py, work, || stop.now())?
     };
     let (solution, certificate) = found.python(py)?;
     let is_rejected = !certificate.accepts();
@@ -104,6 +97,22 @@ pub fn solve(
 }
 
 type Answered = (Arc<moreau::Solution>, Certificate);
+
+/// The answer; a proof that there is no solution is an error, unless what the solver gives is wanted all the same.
+fn proved(
+    posed: &Arc<Posed>,
+    solver: &dyn ContactSolver,
+    start: Option<&DVector<f64>>,
+    tolerance: f64,
+    accept_rejected: bool,
+    name: &str,
+) -> moreau::Result<Answered> {
+    let (solution, certificate) = answer(posed, solver, start, tolerance)?;
+    match certificate.no_solution() {
+        Some(proof) if !accept_rejected => Err(Error::solver(name, moreau::error::Failure::Infeasible, proof.trim_end())),
+        _ => Ok((solution, certificate)),
+    }
+}
 
 fn answer(posed: &Arc<Posed>, solver: &dyn ContactSolver, start: Option<&DVector<f64>>, tolerance: f64) -> moreau::Result<Answered> {
     posed::require_memory(posed)?;
@@ -229,6 +238,22 @@ impl Solution {
     /// Writes a solution/1, whole or not at all.
     fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
         py.detach(|| files::write_atomically(&file, self.to_json().as_bytes())).python(py)
+    }
+
+    /// The answer of a text solution/1, certified.
+    #[staticmethod]
+    #[pyo3(signature = (text, problem, *, tolerance = None))]
+    fn from_json(py: Python<'_>, text: &str, problem: &Bound<'_, Problem>, tolerance: Option<f64>) -> PyResult<Self> {
+        let (posed, tolerance) = (problem.get().posed.clone(), accepted(py, tolerance)?);
+        let solution = Arc::new(moreau::Solution::from_json(text).python(py)?);
+        let certificate = Certificate::of(posed.clone(), solution.clone(), tolerance).python(py)?;
+        Ok(Solution { posed, solution, certificate: Py::new(py, certificate)? })
+    }
+
+    /// A copy, and what is sent to another process, is read from its solution/1, and certified again.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (String, Problem, f64))> {
+        let again = py.import("moreau_contact._errors")?.getattr("solution_again")?;
+        Ok((again, (self.to_json(), self.problem(), self.certificate.get().tolerance())))
     }
 
     /// Reads a solution/1 that answers a problem, and certifies it.

@@ -1,7 +1,9 @@
 """Solving and certifying: closed forms, two ways in, errors."""
 import copy
 import json
+import os
 import pickle
+import signal
 import threading
 import time
 
@@ -143,6 +145,58 @@ def test_the_certificate_tells_each_contact():
     assert not mc.certify(problem, right, velocity=np.zeros(9)), "a stored velocity is compared"
     with pytest.raises(mc.InvalidInput, match="impulse"):
         mc.certify(problem, right[:8])
+
+
+def test_fields_of_records_and_other_strides_are_read_by_their_entries():
+    records = np.zeros(2, dtype=[("mu", "f8"), ("id", "i4")])
+    records["mu"] = 0.5
+    assert mc.Problem(np.eye(6), [-1, 1, 0, -1, 1, 0], records["mu"]).mu.tolist() == [0.5, 0.5]
+    table = np.zeros((3, 3), dtype=[("w", "f8"), ("id", "i4")])
+    table["w"] = np.eye(3)
+    assert mc.Problem(table["w"], [-1, 1, 0], 0.5).W.tolist() == np.eye(3).tolist()
+    unaligned = np.frombuffer(b"x" + np.array([-1.0, 1.0, 0.0]).tobytes(), dtype=np.uint8)[1:].view("f8")
+    assert mc.Problem(np.eye(3), unaligned, np.float32(0.5)).u_free.tolist() == [-1, 1, 0]
+    for wrong in [np.ma.masked_array(np.eye(3), np.eye(3)), np.eye(3)]:
+        with pytest.raises(mc.InvalidInput):
+            mc.Problem(wrong, [-1, 1, 0], np.complex128(0.5 + 3j))
+
+
+def test_sparse_matrices_whose_indices_were_changed_are_refused():
+    for place in (100, -1):
+        changed = sp.coo_array(np.eye(3))
+        changed.coords[0][0] = place
+        for operator in [changed, (sp.eye_array(3), changed), (changed, sp.eye_array(3))]:
+            with pytest.raises(mc.InvalidInput, match="outside"):
+                mc.Problem(operator, [-1, 1, 0], 0.5)
+
+
+def test_what_takes_too_much_memory_is_refused_before_it_is_begun():
+    wide = np.broadcast_to(0.0, (10**6, 10**6))
+    for call in [lambda: mc.Problem(wide, [-1, 0, 0], 0.5), lambda: mc.Problem(np.eye(3), np.broadcast_to(0.0, 10**12), 0.5),
+                 lambda: mc.Problem((sp.coo_array((10**12, 10**12)), sp.coo_array((3, 10**12))), [-1, 0, 0], 0.5),
+                 lambda: mc.Problem((np.eye(3), np.zeros((60000, 3))), np.zeros(60000), 0.5),
+                 lambda: mc.Problem((sp.eye_array(90000), sp.eye_array(90000)), np.zeros(90000), 0.5).W]:
+        with pytest.raises(mc.InvalidInput, match="set_memory_limit"):
+            call()
+
+
+def test_answers_and_errors_are_sent_to_other_processes():
+    answer = mc.solve(np.eye(2), [-1.0, 2.0], [0.5])
+    again = pickle.loads(pickle.dumps(answer))
+    assert again and again.impulse.tolist() == answer.impulse.tolist() and again.certificate.tolerance == answer.certificate.tolerance
+    for error in [mc.Rejected("no", "pgs", answer), mc.InvalidInput("no", "a", "b", "c"), mc.SolverError("no", "pgs", "ray")]:
+        sent = pickle.loads(pickle.dumps(error))
+        assert type(sent) is type(error) and str(sent) == "no" and sent.__dict__.keys() == error.__dict__.keys()
+    with pytest.raises(mc.InvalidInput, match="velocity"):
+        mc.certify(answer.problem, answer, velocity=[9, 9])
+
+
+def test_ctrl_c_ends_a_long_solve_at_once():
+    threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+    begin = time.perf_counter()
+    with pytest.raises(KeyboardInterrupt):
+        mc.solve(mc.Problem(*heap(1500)))
+    assert time.perf_counter() - begin < 30
 
 
 def test_a_warm_start_and_a_solution_are_taken():

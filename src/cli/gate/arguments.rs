@@ -65,7 +65,7 @@ pub struct Arguments {
     /// Write the report as JUnit XML.
     #[arg(long, value_name = "FILE")]
     pub junit: Option<PathBuf>,
-    /// Write the report as one self-contained HTML page.
+    /// Write the report as one self-contained HTML page, what fails first.
     #[arg(long, value_name = "FILE")]
     pub html: Option<PathBuf>,
     /// Write the report as JSON.
@@ -77,7 +77,8 @@ pub struct Arguments {
     /// Explain one check: question, derivation, control.
     #[arg(long, value_name = "CHECK")]
     pub explain: Option<String>,
-    /// Write the scenes of the sweep into this folder, for simulators that are run elsewhere and judged with --trajectory.
+    /// Write the scenes of the sweep into this folder, each a scene/1, for simulators that are run elsewhere and judged with --trajectory;
+    /// its index.json has the time step of each and how often to sample.
     #[arg(long, value_name = "FOLDER")]
     pub write_scenes: Option<PathBuf>,
     /// How to write the report to standard output.

@@ -1,7 +1,8 @@
 //! The checks, listed or explained.
 
+use crate::checks::text::{Style, counted};
 use crate::cli::near::suggestion;
-use crate::cli::output::print;
+use crate::cli::output::{print, style};
 use crate::cli::{Answer, Format};
 use crate::gate::{Check, Run, checks, planted};
 use crate::report::json::pretty;
@@ -40,12 +41,21 @@ impl From<&Check> for Entry {
 
 /// One line per check.
 pub fn list(checks: &[&'static Check], format: Format) -> Result<Answer> {
-    let width = checks.iter().map(|check| check.name.len()).max().unwrap_or(0);
     print(&match format {
-        Format::Text => checks.iter().map(|check| format!("{:width$}  {}\n", check.name, check.question)).collect(),
+        Format::Text => listed(checks, style()),
         Format::Json => pretty(&checks.iter().map(|&check| Entry::from(check)).collect::<Vec<_>>())?,
     })?;
     Ok(Answer::Yes)
+}
+
+fn listed(checks: &[&'static Check], style: Style) -> String {
+    let width = checks.iter().map(|check| check.name.len()).max().unwrap_or(0);
+    let next = " ".repeat(width + 2);
+    let line = |check: &&Check| style.wrapped("", &next, &format!("{:width$}  {}", check.name, check.question)) + "\n";
+    let lines: String = checks.iter().map(line).collect();
+    let count = counted(checks.len(), "check");
+    let more = format!("{count}. `moreau gate --explain CHECK` explains one: question, derivation, source, control.");
+    format!("{lines}\n{}\n", style.wrapped("", "", &more))
 }
 
 /// One check in full.
@@ -56,16 +66,21 @@ pub fn explain(name: &str, format: Format) -> Result<Answer> {
     })?;
     let entry = Entry::from(check);
     print(&match format {
-        Format::Text => format!(
-            "{}\n\nQuestion: {}\n\nDerivation: {}\n\nSource: {}\n\nPassed by: {}\nFailed by: {}\n",
-            entry.check,
-            entry.question,
-            entry.derivation,
-            entry.source,
-            entry.passed_by,
-            entry.failed_by.join(", ")
-        ),
+        Format::Text => explained(&entry, style()),
         Format::Json => pretty(&entry)?,
     })?;
     Ok(Answer::Yes)
+}
+
+fn explained(entry: &Entry, style: Style) -> String {
+    let failed_by = entry.failed_by.join(", ");
+    let parts = [
+        ("Question", entry.question),
+        ("Derivation", entry.derivation),
+        ("Source", entry.source),
+        ("Passed by", entry.passed_by),
+        ("Failed by", failed_by.as_str()),
+    ];
+    let part = |(name, text): (&str, &str)| format!("\n{}\n", style.wrapped("", "  ", &format!("{}: {text}", style.heading(name))));
+    format!("{}\n{}", style.heading(entry.check), parts.map(part).concat())
 }

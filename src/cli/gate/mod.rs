@@ -6,9 +6,9 @@ mod scenes;
 mod selection;
 mod subject;
 
-use super::output::{print, print_aside, style};
+use super::output::{keep_files, print, print_aside, style};
 use super::{Answer, Format};
-use crate::files::{is_same_file, write_together};
+use crate::files::write_together;
 use crate::gate::baseline::{Baseline, Change, ChangeKind};
 use crate::gate::conformance::{self, Probe};
 use crate::gate::runner::{self, Plan};
@@ -19,9 +19,10 @@ use crate::{Error, Result};
 pub use arguments::Arguments;
 use indicatif::{ProgressBar, ProgressStyle};
 use jiff::Zoned;
+use jiff::civil::Date;
 use std::collections::BTreeMap;
 use std::io::IsTerminal;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::Duration;
 
@@ -65,7 +66,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         }
         if watched.written.is_ok() && arguments.trajectory.is_empty() {
             let changes = baseline.as_ref().map(|baseline| baseline.compare(report, today)).transpose();
-            watched.written = changes.and_then(|changes| arguments.write(report, changes.as_deref(), &watched.times, false));
+            watched.written = changes.and_then(|changes| arguments.write(report, changes.as_deref(), (&watched.times, today), false));
         }
     };
     let adapter = if arguments.trajectory.is_empty() { misreported(make.as_ref(), &plan.options) } else { Vec::new() };
@@ -81,7 +82,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         print_aside(&format!("warning: {note}\n"));
     }
     let changes = baseline.map(|baseline| baseline.compare(&report, today)).transpose()?;
-    arguments.write(&report, changes.as_deref(), &times, true)?;
+    arguments.write(&report, changes.as_deref(), (&times, today), true)?;
     arguments.show(&report, changes.as_deref())?;
     let is_fine = match &changes {
         Some(changes) => changes.iter().all(|change| change.kind != ChangeKind::Regression),
@@ -166,31 +167,24 @@ impl Arguments {
     /// Refuses outputs that would write over an input or over each other. Saving a baseline over the one that is compared is allowed:
     /// it is read first, and that is how one tightens it.
     fn keep_files(&self) -> Result<()> {
-        let outputs: Vec<_> = self.outputs().collect();
-        for (k, (option, file)) in outputs.iter().enumerate() {
-            let inputs = self.trajectory.iter().chain(&self.description);
-            if let Some(input) = inputs.into_iter().find(|input| input.is_file() && is_same_file(input, file)) {
-                return Err(Error::invalid(
-                    *option,
-                    format!("is {}, which is also an input file", input.display()),
-                    "write to another file",
-                ));
-            }
-            if let Some((other, _)) = outputs[..k].iter().find(|(_, other)| is_same_file(other, file) || other == file) {
-                return Err(Error::invalid(*option, format!("is the same file as {other}"), "write to another file"));
-            }
-        }
-        Ok(())
+        let inputs: Vec<&Path> = self.trajectory.iter().chain(&self.description).map(PathBuf::as_path).collect();
+        keep_files(&inputs, &self.outputs().collect::<Vec<_>>())
     }
 
     /// Writes all named outputs, or none; a baseline only of a whole run.
-    fn write(&self, report: &Report, changes: Option<&[Change]>, times: &BTreeMap<String, Duration>, is_whole: bool) -> Result<()> {
+    fn write(
+        &self,
+        report: &Report,
+        changes: Option<&[Change]>,
+        (times, day): (&BTreeMap<String, Duration>, Date),
+        is_whole: bool,
+    ) -> Result<()> {
         let mut texts = Vec::new();
         for (option, file) in self.outputs().filter(|(option, _)| is_whole || *option != "--save-baseline") {
             let text = match option {
                 "--save-baseline" => self.new_baseline(report)?.to_toml()?,
                 "--junit" => junit::xml(report, changes, times)?,
-                "--html" => page::html(report, changes)?,
+                "--html" => page::html(report, changes, day)?,
                 _ => pretty(report)?,
             };
             texts.push((file, text));
@@ -210,7 +204,7 @@ impl Arguments {
 
     fn show(&self, report: &Report, changes: Option<&[Change]>) -> Result<()> {
         print(&match self.format {
-            Format::Text => text::table(report, style()) + &changes.map(text::changes).unwrap_or_default(),
+            Format::Text => text::table(report, style()) + &changes.map(|changes| text::changes(changes, style())).unwrap_or_default(),
             Format::Json => pretty(&serde_json::json!({"report": report, "changes": changes}))?,
         })
     }

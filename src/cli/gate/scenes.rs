@@ -1,17 +1,31 @@
 //! The scenes of the sweep as files, for simulators that are run elsewhere.
 
+use crate::checks::text::counted;
 use crate::cli::Answer;
-use crate::cli::output::print;
+use crate::cli::output::{print, style};
 use crate::files::write_atomically;
 use crate::gate::library::Requests;
 use crate::gate::runner::{self, Plan};
 use crate::gate::{Check, Engine, Options, own};
 use crate::report::json::pretty;
+use crate::scenes::Scene;
 use crate::{Error, Result};
+use serde::Serialize;
 use std::path::Path;
 use std::sync::{Arc, Mutex};
 
-/// Writes every scene the checks ask for, once per scene and time step, and an index with h and `sample_every`.
+/// A request of the index.
+#[derive(PartialEq, Serialize)]
+struct Request {
+    /// The file with the scene/1, beside the index.
+    file: String,
+    /// h \[s\].
+    time_step: f64,
+    /// How many steps apart the samples are.
+    sample_every: usize,
+}
+
+/// Writes every scene that the checks ask for as a scene/1, once for each time step, and `index.json` with h and `sample_every` of each.
 pub fn write(folder: &Path, checks: &[&'static Check], sweep: &[f64]) -> Result<Answer> {
     let asked = Arc::new(Mutex::new(Vec::new()));
     let make = || -> Box<dyn Engine> {
@@ -22,20 +36,29 @@ pub fn write(folder: &Path, checks: &[&'static Check], sweep: &[f64]) -> Result<
     runner::run(&make, &plan).map_err(|refusal| Error::Unsupported(refusal.to_string()))?;
     let asked = asked.lock().map(|asked| asked.clone()).unwrap_or_default();
     std::fs::create_dir_all(folder).map_err(|source| Error::Write { file: folder.to_path_buf(), source })?;
-    let mut index = Vec::new();
-    for (scene, time_step, sample_every) in asked {
-        let entry = serde_json::json!({"scene": scene, "time_step": time_step, "sample_every": sample_every});
-        if index.contains(&entry) {
-            continue;
+    let mut distinct: Vec<(Scene, f64, usize)> = Vec::new();
+    for request in asked {
+        if !distinct.contains(&request) {
+            distinct.push(request);
         }
-        let file = folder.join(format!("{:03}-{}.json", index.len(), scene.name));
-        write_atomically(&file, pretty(&entry)?.as_bytes())?;
-        index.push(entry);
     }
-    print(&format!(
-        "{} requests in {}: each file has scene, time_step and sample_every; answer each with a trajectory/1\n",
-        index.len(),
-        folder.display()
-    ))?;
+    let mut index = Vec::new();
+    for (k, (scene, time_step, sample_every)) in distinct.into_iter().enumerate() {
+        let file = format!("{k:03}-{}.json", plain(&scene.name));
+        write_atomically(&folder.join(&file), scene.to_json()?.as_bytes())?;
+        index.push(Request { file, time_step, sample_every });
+    }
+    write_atomically(&folder.join(INDEX), pretty(&index)?.as_bytes())?;
+    let (count, folder) = (counted(index.len(), "scene"), folder.display());
+    let line = format!("{count} in {folder}; {INDEX} there has time_step and sample_every of each. Answer each with a trajectory/1.");
+    print(&(style().wrapped("", "", &line) + "\n"))?;
     Ok(Answer::Yes)
+}
+
+/// The list of what is asked for.
+const INDEX: &str = "index.json";
+
+/// The name of a scene as a part of a file's name: letters, digits and hyphens.
+fn plain(name: &str) -> String {
+    name.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '-' }).collect()
 }

@@ -21,6 +21,7 @@ pub mod spatial;
 mod sphere_bodies;
 #[cfg(test)]
 mod testing;
+mod touching;
 
 pub use ball_chain::BallChain;
 pub use bead_in_circle::BeadInCircle;
@@ -35,6 +36,7 @@ pub use room::afford;
 pub use slider_crank::{SliderCrank, SliderCrankData};
 pub use spatial::SpatialBodies;
 pub use sphere_bodies::{SphereBodies, SphereBody};
+pub use touching::contact_point;
 
 /// Configuration and velocity of a mechanism.
 #[derive(Clone, Debug, PartialEq)]

@@ -15,7 +15,7 @@ mod pipes;
 mod session;
 mod words;
 
-pub use group::end_engines_on_interrupt;
+pub use group::{end_engines, end_engines_on_interrupt};
 pub use limits::Limits;
 pub use session::{Fate, Fault, Session};
 

@@ -1,7 +1,7 @@
 //! What `moreau protocol-check` prints: one line per probe, and under a problem what was seen and its cure.
 
 use crate::conformance::{Conformance, Probe, ProbeOutcome};
-use moreau_checks::text::Style;
+use moreau_checks::text::{Style, counted};
 
 /// The outcomes, and their count as the last line.
 pub fn text(conformance: &Conformance, style: Style) -> String {
@@ -14,13 +14,8 @@ pub fn text(conformance: &Conformance, style: Style) -> String {
         text += &line(probe, width, style);
     }
     let count = |word: &str| conformance.probes.iter().filter(|probe| self::word(&probe.outcome) == word).count();
-    text + &format!(
-        "\n{} probes: {} ok, {} problems, {} skipped\n",
-        conformance.probes.len(),
-        count("ok"),
-        count("problem"),
-        count("skipped")
-    )
+    let [probes, problems] = [(conformance.probes.len(), "probe"), (count("problem"), "problem")].map(|(count, word)| counted(count, word));
+    text + &format!("\n{probes}: {} ok, {problems}, {} skipped\n", count("ok"), count("skipped"))
 }
 
 fn word(outcome: &ProbeOutcome) -> &'static str {
@@ -33,11 +28,12 @@ fn word(outcome: &ProbeOutcome) -> &'static str {
 
 fn line(probe: &Probe, width: usize, style: Style) -> String {
     let word = format!("{:8}", word(&probe.outcome));
-    let (colour, below) = match &probe.outcome {
-        ProbeOutcome::Ok => ("32", String::new()),
-        ProbeOutcome::Problem { why, cure } => ("1;31", format!("          seen: {why}\n          cure: {cure}\n")),
-        ProbeOutcome::Skipped { why } => ("2", format!("          {why}\n")),
+    let below = |text: String| style.wrapped("          ", "            ", &text) + "\n";
+    let (word, below) = match &probe.outcome {
+        ProbeOutcome::Ok => (style.yes(&word), String::new()),
+        ProbeOutcome::Problem { why, cure } => (style.alarm(&word), below(format!("seen: {why}")) + &below(format!("cure: {cure}"))),
+        ProbeOutcome::Skipped { why } => (style.faint(&word), below(why.clone())),
     };
-    let word = if style.colour { format!("\u{1b}[{colour}m{word}\u{1b}[0m") } else { word };
-    format!("{word}  {:width$}  {}\n{below}", probe.probe, probe.demand)
+    let line = format!("{word}  {:width$}  {}", probe.probe, probe.demand);
+    style.wrapped("", "            ", &line) + "\n" + &below
 }

@@ -1,6 +1,7 @@
 //! What the scoreboard shows: some measured numbers side by side, each with its explanation. The numbers are read from the stored
 //! results, never typed.
 
+use crate::report::frame::{scrolled, with_code};
 use crate::scoreboard::Standing;
 use crate::{CheckOutcome, StepOutcome};
 use maud::{Markup, html};
@@ -110,13 +111,8 @@ pub fn html(standings: &[Standing]) -> Markup {
         @for table in tables(standings) {
             h3 { (table.of.title) }
             p { code { (table.of.check) } ": " (table.of.quantity) }
-            table {
-                tr { th {} @for at in &table.heading { th { (at) } } }
-                @for (name, values) in &table.rows {
-                    tr { td { (name) } @for value in values { td.n { (value) } } @if values.is_empty() { td { "not run" } } }
-                }
-            }
-            p { (table.of.explanation) }
+            (scrolled(table.of.title, &table.html()))
+            p { (with_code(table.of.explanation)) }
         }
     }
 }
@@ -150,6 +146,19 @@ impl Highlight {
 }
 
 impl Table<'_> {
+    fn html(&self) -> Markup {
+        html! {
+            table {
+                thead { tr { th {} @for at in &self.heading { th { (at) } } } }
+                tbody {
+                    @for (name, values) in &self.rows {
+                        tr { td { (name) } @for value in values { td.n { (value) } } @if values.is_empty() { td { "not run" } } }
+                    }
+                }
+            }
+        }
+    }
+
     fn markdown(&self) -> String {
         let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
         let mut heading = vec![String::new()];

@@ -1,7 +1,7 @@
 //! The gate's report as JUnit XML, one test case per check, failures first.
 
 use crate::baseline::{Change, ChangeKind};
-use crate::report::{decisive, sentence};
+use crate::report::words;
 use crate::{CheckOutcome, Report, Verdict};
 use moreau_exact::{Error, Result};
 use quick_junit::{NonSuccessKind, Report as Junit, TestCase, TestCaseStatus, TestSuite};
@@ -25,7 +25,7 @@ pub fn xml(report: &Report, changes: Option<&[Change]>, times: &BTreeMap<String,
 }
 
 fn case(check: &CheckOutcome, changes: Option<&[Change]>, times: &BTreeMap<String, Duration>) -> TestCase {
-    let words = check.reason.clone().or_else(|| decisive(check).map(|(step, one)| sentence(step, one))).unwrap_or_default();
+    let words = words(check);
     let mut case = TestCase::new(check.check.clone(), status(check, changes, &words));
     case.set_classname(check.check.split('/').next().unwrap_or(&check.check).to_string());
     case.set_system_out(words);

@@ -1,11 +1,14 @@
 //! The gate's report for people, for build servers and as a page.
 
 pub mod conformance;
+pub mod frame;
 pub mod highlights;
 pub mod junit;
 pub mod page;
 mod plot;
 pub mod scoreboard;
+pub mod scoreboard_page;
+pub mod terminal;
 pub mod text;
 
 use crate::{CheckOutcome, Measurement, Report, StepOutcome, Verdict};
@@ -24,6 +27,11 @@ pub fn decisive(check: &CheckOutcome) -> Option<(&StepOutcome, &Measurement)> {
     let of = |step: &StepOutcome, verdict: Verdict| step.measurements.iter().position(|one| one.verdict() == verdict);
     let worst = check.steps.iter().find_map(|step| of(step, check.verdict).map(|index| (step, &step.measurements[index])));
     worst.or_else(|| check.steps.iter().find_map(|step| step.measurements.first().map(|one| (step, one))))
+}
+
+/// Why a check came out as it did: its reason, or the measurement that decides it.
+fn words(check: &CheckOutcome) -> String {
+    check.reason.clone().or_else(|| decisive(check).map(|(step, one)| sentence(step, one))).unwrap_or_default()
 }
 
 /// One line about a measurement: value, what was expected, of whom.

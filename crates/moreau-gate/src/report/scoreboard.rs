@@ -1,12 +1,9 @@
-//! The scoreboard as a table, engine × check: Markdown for docs/scoreboard.md, HTML with every value.
+//! The scoreboard as a table, engine × family of checks, in Markdown for docs/scoreboard.md.
 
 use crate::cause::Cause;
-use crate::report::{decisive, highlights, page, sentence};
+use crate::report::highlights;
 use crate::scoreboard::Standing;
 use crate::{CheckOutcome, Report, Verdict, cause, checks};
-use maud::{DOCTYPE, Markup, PreEscaped, html};
-use moreau_exact::Result;
-use moreau_exact::number::significant;
 use std::collections::BTreeMap;
 
 /// Where the table of a Markdown file begins.
@@ -14,8 +11,12 @@ pub const BEGIN: &str = "<!-- scoreboard -->";
 /// Where it ends.
 pub const END: &str = "<!-- /scoreboard -->";
 
+/// What the marks mean.
+pub(super) const MARKS: &str = "✓ as Coulomb–Signorini demands · ≈ different, as the engine's declared law predicts · ✗ fails · \
+    ! errored · – the engine does not do this";
+
 /// The mark of a verdict in a table.
-fn mark(verdict: Verdict) -> &'static str {
+pub(super) fn mark(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Pass => "✓",
         Verdict::Difference => "≈",
@@ -26,7 +27,7 @@ fn mark(verdict: Verdict) -> &'static str {
 }
 
 /// The families of the registry, in its order.
-fn families() -> Vec<&'static str> {
+pub(super) fn families() -> Vec<&'static str> {
     let mut families: Vec<&str> = Vec::new();
     for family in checks::all().map(|check| check.family()) {
         if !families.contains(&family) {
@@ -58,12 +59,11 @@ fn markdown(standings: &[Standing], causes: &[Cause]) -> String {
         let cells = families.iter().map(|family| marks(report, family));
         text += &row(&[name].into_iter().chain(cells).chain([counted(&standing.entry.name, report, causes)]).collect::<Vec<_>>());
     }
-    text + "\n✓ as Coulomb–Signorini demands · ≈ different, as the engine's declared law predicts · ✗ fails · ! errored · – the engine \
-        does not do this\n"
+    text + &format!("\n{MARKS}\n")
 }
 
 /// `solver 3, collision 1`.
-fn counted(engine: &str, report: &Report, causes: &[Cause]) -> String {
+pub(super) fn counted(engine: &str, report: &Report, causes: &[Cause]) -> String {
     let bad = report.checks.iter().filter(|outcome| outcome.verdict.is_bad());
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     for outcome in bad {
@@ -74,82 +74,7 @@ fn counted(engine: &str, report: &Report, causes: &[Cause]) -> String {
 }
 
 /// The marks of a family's checks.
-fn marks(report: &Report, family: &str) -> String {
+pub(super) fn marks(report: &Report, family: &str) -> String {
     let of_family = |outcome: &&CheckOutcome| outcome.check.split('/').next() == Some(family);
     report.checks.iter().filter(of_family).map(|outcome| mark(outcome.verdict)).collect()
-}
-
-/// One self-contained page: the whole table, what decided each cell when one points at it, and the causes.
-///
-/// # Errors
-/// If the page cannot be made.
-pub fn html(standings: &[Standing], causes: &[Cause]) -> Result<String> {
-    let style = format!(
-        "{}{}",
-        page::STYLE,
-        "body{max-width:none}th.r{writing-mode:vertical-rl;transform:rotate(180deg);font-weight:normal}\
-            td.c{text-align:center}td:first-child{white-space:nowrap}"
-    );
-    let page = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head { meta charset="utf-8"; title { "moreau scoreboard" } style { (PreEscaped(style)) } }
-            body {
-                h1 { "moreau scoreboard: simulators through one set of checks" }
-                p { "✓ as Coulomb–Signorini demands · ≈ different, as the engine's declared law predicts · ✗ fails · ! errored · – the \
-                    engine does not do this. Point at a mark to see the number." }
-                (table(standings, causes))
-                h2 { "What it shows" }
-                (highlights::html(standings))
-                h2 { "Why checks are not passed" }
-                (reasons(causes))
-            }
-        }
-    };
-    Ok(page.into_string())
-}
-
-/// The causes, with their evidence.
-fn reasons(causes: &[Cause]) -> Markup {
-    html! {
-        table {
-            tr { th { "engines" } th { "checks" } th { "what is at fault" } th { "cause" } th { "evidence" } }
-            @for cause in causes {
-                tr { td { (cause.engines.join(", ")) } td { (cause.checks.join(", \
-                    ")) } td { (cause.error.word()) } td { (cause.cause) } td { (cause.evidence) } }
-            }
-        }
-    }
-}
-
-fn table(standings: &[Standing], causes: &[Cause]) -> Markup {
-    html! {
-        table {
-            tr { th { "engine" } @for check in checks::all() { th.r title=(check.question) { (check.name) } } }
-            @for standing in standings {
-                tr {
-                    td { (standing.entry.name) @if let Some(report) = &standing.report { br; small { (report.engine.name) " \
-                        " (report.engine.version) } } }
-                    @match &standing.report {
-                        Some(report) => {
-                            @for check in checks::all() {
-                                (cell(report, check.name, cause::find(causes, &standing.entry.name, check.name)))
-                            }
-                        },
-                        None => td colspan=(checks::all().count()) { "not run: " (standing.not_run.as_deref().unwrap_or("no reason \
-                            stored")) },
-                    }
-                }
-            }
-        }
-    }
-}
-
-fn cell(report: &Report, name: &str, cause: Option<&Cause>) -> Markup {
-    let Some(outcome) = report.checks.iter().find(|outcome| outcome.check == name) else { return html! { td.c { "·" } } };
-    let words = outcome.reason.clone().or_else(|| decisive(outcome).map(|(step, one)| sentence(step, one))).unwrap_or_default();
-    let at = outcome.fails_at.iter().map(|h| significant(*h)).collect::<Vec<_>>().join(", ");
-    let title = if at.is_empty() { words } else { format!("{words}; at h = {at} s") };
-    let title = cause.map_or(title.clone(), |cause| format!("{title}. {}: {}", cause.error.word(), cause.cause));
-    html! { td class={ "c " (outcome.verdict.word()) } title=(title) { (mark(outcome.verdict)) } }
 }

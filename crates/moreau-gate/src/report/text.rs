@@ -4,7 +4,7 @@ use crate::baseline::{Change, ChangeKind};
 use crate::conformance::ProbeOutcome;
 use crate::report::{counts, decisive, sentence};
 use crate::{CheckOutcome, Report, Verdict};
-use moreau_checks::text::Style;
+use moreau_checks::text::{Style, counted};
 use moreau_exact::number::significant;
 
 /// One block per check: verdict, name, and what decided it.
@@ -12,25 +12,33 @@ pub fn table(report: &Report, style: Style) -> String {
     let engine = &report.engine;
     let steps: Vec<String> = report.sweep.iter().map(|h| significant(*h)).collect();
     let law = engine.contact_model.law.as_deref().unwrap_or("no law");
-    let mut text = format!(
-        "{} {}, declares {:?} contact, {law}; h = {} s\n\n",
-        engine.name,
-        engine.version,
-        engine.contact_model.kind,
-        steps.join(", ")
-    );
-    text += &adapter(report);
+    let kind = format!("{:?}", engine.contact_model.kind).to_lowercase();
+    let head = format!("{} {}, declares {kind} contact, {law}; h = {} s", engine.name, engine.version, steps.join(", "));
+    let mut text = style.wrapped("", "  ", &head) + "\n\n" + &adapter(report, style);
     for check in &report.checks {
         text += &line(check, style);
-        text.extend(report.explaining(check).map(|probe| format!("            see the adapter's {} above\n", probe.probe)));
+        text.extend(report.explaining(check).map(|probe| below(&format!("see the adapter's {} above", probe.probe), style)));
     }
-    text + &format!("\n{} checks: {}\n", report.checks.len(), counts(report))
+    if report.checks.iter().any(|check| check.verdict.is_bad()) {
+        text += &(style.wrapped("\n", "", "`moreau gate --explain CHECK` explains a check: question, derivation, control.") + "\n");
+    }
+    let counts = format!("{}: {}", counted(report.checks.len(), "check"), counts(report));
+    text + "\n" + &style.wrapped("", "", &counts) + "\n"
+}
+
+/// A line under that of a check.
+fn below(line: &str, style: Style) -> String {
+    style.wrapped("            ", "              ", line) + "\n"
 }
 
 /// What is wrong with the adapter, before any check.
-fn adapter(report: &Report) -> String {
+fn adapter(report: &Report, style: Style) -> String {
     let told = report.adapter.iter().filter_map(|probe| match &probe.outcome {
-        ProbeOutcome::Problem { why, cure } => Some(format!("  {}: {}\n    seen: {why}\n    cure: {cure}\n", probe.probe, probe.demand)),
+        ProbeOutcome::Problem { why, cure } => {
+            let lines =
+                [("  ", format!("{}: {}", probe.probe, probe.demand)), ("    ", format!("seen: {why}")), ("    ", format!("cure: {cure}"))];
+            Some(lines.map(|(indent, line)| style.wrapped(indent, "      ", &line) + "\n").concat())
+        }
         _ => None,
     });
     let told: String = told.collect();
@@ -39,31 +47,28 @@ fn adapter(report: &Report) -> String {
 
 fn line(check: &CheckOutcome, style: Style) -> String {
     let word = format!("{:<12}", check.verdict.word());
-    let colour = match check.verdict {
-        Verdict::Pass => "32",
-        Verdict::Difference => "33",
-        Verdict::Unsupported => "2",
-        Verdict::Errored | Verdict::Fail => "31",
+    let word = match check.verdict {
+        Verdict::Pass => style.yes(&word),
+        Verdict::Difference => style.reserved(&word),
+        Verdict::Unsupported => style.faint(&word),
+        Verdict::Errored | Verdict::Fail => style.no(&word),
     };
-    let word = if style.colour { format!("\x1b[{colour}m{word}\x1b[0m") } else { word };
     let mut text = format!("{word}{}\n", check.check);
     if let Some(reason) = &check.reason {
-        text += &format!("            {reason}\n");
+        text += &below(reason, style);
     } else if let Some((step, one)) = decisive(check) {
-        text += &format!("            {}\n", sentence(step, one));
+        text += &below(&sentence(step, one), style);
     }
     if !check.fails_at.is_empty() {
         let at: Vec<String> = check.fails_at.iter().map(|h| significant(*h)).collect();
-        text += &format!("            {} at h = {} s\n", check.verdict.word(), at.join(", "));
+        text += &below(&format!("{} at h = {} s", check.verdict.word(), at.join(", ")), style);
     }
-    for trend in &check.trends {
-        text += &format!("            {trend}\n");
-    }
+    text.extend(check.trends.iter().map(|trend| below(&trend.to_string(), style)));
     text
 }
 
 /// The changes against a baseline, regressions first.
-pub fn changes(changes: &[Change]) -> String {
+pub fn changes(changes: &[Change], style: Style) -> String {
     let mut text = String::new();
     for (kind, title) in [
         (ChangeKind::Regression, "Regressions"),
@@ -73,7 +78,7 @@ pub fn changes(changes: &[Change]) -> String {
         let of_kind: Vec<&Change> = changes.iter().filter(|change| change.kind == kind).collect();
         if !of_kind.is_empty() {
             text += &format!("\n{title}:\n");
-            text.extend(of_kind.iter().map(|change| format!("  {}: {}\n", change.check, change.what)));
+            text.extend(of_kind.iter().map(|change| style.wrapped("  ", "    ", &format!("{}: {}", change.check, change.what)) + "\n"));
         }
     }
     if text.is_empty() { "\nAs the baseline.\n".into() } else { text }

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -22,7 +23,7 @@ def solve(
     u_free: ArrayLike | None = None,
     mu: ArrayLike | float | None = None,
     *,
-    law: str = "coulomb",
+    law: str | None = None,
     directions: int | None = None,
     shift: ArrayLike | None = None,
     solver: str = "auto",
@@ -42,7 +43,7 @@ def solve(
     u_free : contact velocities without contact impulses, H v_free [m/s], one per row: normal, tangent₁, tangent₂ of the
         first contact, then of the second.
     mu : coefficients of friction, one number (contacts of 3 rows) or one per contact.
-    law : "coulomb", "associated", "frictionless", "polyhedral-coulomb" or "polyhedral-associated".
+    law : "coulomb" (where it is absent), "associated", "frictionless", "polyhedral-coulomb" or "polyhedral-associated".
     directions : friction directions of a polyhedral law, 2 in the plane.
     shift : added to u in the law [m/s], one per row.
     solver : one of `solvers()`.
@@ -141,6 +142,9 @@ def simulate(
         scene = dict(scene)
     words: list[str] = []
     for name, value in options.items():
+        if not re.fullmatch("[a-z][a-z_]*", name) or name == "help":
+            cure = "`moreau simulate --help` has the options of every scheme"
+            raise InvalidInput(f"`{name}`: is no option of a scheme; {cure}", name, "is no option of a scheme", cure)
         option = "--" + name.replace("_", "-")
         if value is True:
             words.append(option)
@@ -150,17 +154,17 @@ def simulate(
 
 
 def claims(search: str | Sequence[str] | None = None) -> list[dict[str, Any]]:
-    """The claims of the chapter as they are recorded: id, section, statement, verdict, kind, evidence, correct_statement, …
+    """The claims of the chapter as they are recorded: id, section, title, statement, verdict, kind, evidence, correct_statement, …
 
     Parameters
     ----------
-    search : words that id, statement or correction must all have, in any case.
+    search : words that id, title, statement or correction must all have, in any case.
 
     >>> [claim["verdict"] for claim in claims("copositive-plus") if claim["id"] == "S4.copos-plus"]
     ['FALSE AS STATED']
     """
     words = (search if isinstance(search, str) else " ".join(search or [])).lower().split()
-    has = ("id", "statement", "correct_statement")
+    has = ("id", "title", "statement", "correct_statement")
     return [claim for claim in json.loads(_native.claims()) if all(any(word in claim[field].lower() for field in has) for word in words)]
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ctypes
 import importlib
+import importlib.machinery
 import importlib.util
 import json
 import sys
@@ -15,6 +16,8 @@ import threading
 import traceback
 from pathlib import Path
 from typing import Any, TextIO
+
+import numpy as np
 
 from ._errors import InvalidInput, Unsupported
 
@@ -47,7 +50,7 @@ def answer(engine: Any, line: str) -> str:
             request = json.loads(line)
             identity = request.get("id")
             reply = {"id": identity, "result": _result(engine, request)}
-            return json.dumps(reply, default=_plain)
+            return text_of(reply)
         finally:
             with _lock:
                 _running.discard(thread)
@@ -73,18 +76,24 @@ def _result(engine: Any, request: dict[str, Any]) -> Any:
     return found if what != "project" or isinstance(found, dict) else {"points": found}
 
 
+def text_of(value: Any) -> str:
+    """A value as JSON, arrays and numbers of numpy included."""
+    return json.dumps(value, default=_plain)
+
+
 def _plain(value: Any) -> Any:
-    """Arrays and numbers of numpy as JSON has them."""
-    if hasattr(value, "tolist"):
-        return value.tolist()
+    """Arrays and numbers of numpy as JSON has them; floats of any size in double precision."""
+    if isinstance(value, (np.ndarray, np.generic)):
+        return (value.astype(np.float64) if value.dtype.kind == "f" else value).tolist()
     raise TypeError(f"a {type(value).__name__} has no form in JSON")
 
 
 def _told(error: Exception) -> str:
     frames = traceback.extract_tb(error.__traceback__)
-    own = [frame for frame in frames if Path(frame.filename).resolve() != Path(__file__).resolve()]
+    own = [frame for frame in frames if Path(frame.filename).resolve() != Path(__file__).resolve() and "/json/" not in frame.filename]
     place = f" at {Path(own[-1].filename).name}:{own[-1].lineno}" if own else ""
-    return f"{type(error).__name__}: {error}{place}"
+    # half a character of UTF-16 has no form in a message
+    return f"{type(error).__name__}: {error}{place}".encode("utf-8", "replace").decode()
 
 
 def address(engine: type) -> tuple[str, str]:
@@ -99,21 +108,26 @@ def address(engine: type) -> tuple[str, str]:
         raise InvalidInput(f"`engine`: {engine.__qualname__} cannot be imported by another process (it stands in {where}); "
                            "put the class at the top of a file", "engine", "cannot be imported by another process",
                            "put the class at the top of a file")
+    if getattr(module, engine.__qualname__, None) is not engine:
+        raise InvalidInput(f"`engine`: {engine.__qualname__} of {engine.__module__} is another class than this one; "
+                           "give the class that its file has under this name", "engine", "is not what its file has under this name",
+                           "give the class that its file has under this name")
     # a package is imported by its name, anything else by its file, which need not be on the path of the child
     return (engine.__module__ if getattr(module, "__package__", "") else str(Path(file).resolve())), engine.__qualname__
 
 
 def load(place: str, name: str) -> Any:
     """The class from its address."""
-    if not place.endswith(".py"):
+    if not Path(place).is_file():
         return getattr(importlib.import_module(place), name)
     sys.path.insert(0, str(Path(place).parent))
-    spec = importlib.util.spec_from_file_location(Path(place).stem, place)
-    if spec is None or spec.loader is None:
+    loader = importlib.machinery.SourceFileLoader(Path(place).stem, place)
+    spec = importlib.util.spec_from_file_location(Path(place).stem, place, loader=loader)
+    if spec is None:
         raise ImportError(f"{place} is no Python file")
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
+    loader.exec_module(module)
     return getattr(module, name)
 
 

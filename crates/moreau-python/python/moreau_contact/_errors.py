@@ -1,4 +1,11 @@
 """The exceptions of this package; every message says what is wrong and what cures it."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from . import _native
+
 
 
 class MoreauError(Exception):
@@ -14,6 +21,9 @@ class InvalidInput(MoreauError, ValueError):
     def __init__(self, message: str, field: str = "", problem: str = "", cure: str = "") -> None:
         super().__init__(message)
         self.field, self.problem, self.cure = field, problem, cure
+
+    def __reduce__(self) -> tuple[type, tuple[Any, ...]]:
+        return type(self), (str(self), self.field, self.problem, self.cure)
 
 
 class FileError(MoreauError, OSError):
@@ -34,6 +44,9 @@ class SolverError(MoreauError):
         super().__init__(message)
         self.solver, self.status = solver, status
 
+    def __reduce__(self) -> tuple[type, tuple[Any, ...]]:
+        return type(self), (str(self), self.solver, self.status)
+
 
 class Rejected(SolverError):
     """An answer that the certificate rejects.
@@ -41,10 +54,21 @@ class Rejected(SolverError):
     Attributes: `solution`, the answer (a Solution, or the Motion of a simulation) with its certificate.
     """
 
-    def __init__(self, message: str, solver: str, solution: object) -> None:
+    def __init__(self, message: str, solver: str = "", solution: object = None) -> None:
         super().__init__(message, solver, "rejected")
         self.solution = solution
+
+    def __reduce__(self) -> tuple[type, tuple[Any, ...]]:
+        solution = self.solution if hasattr(self.solution, "certificate") else None  # a motion stays where it is
+        return type(self), (str(self), self.solver, solution)
 
 
 class EngineError(MoreauError):
     """An engine that could not be run: it does not describe itself."""
+
+
+def solution_again(text: str, problem: _native.Problem, tolerance: float) -> _native.Solution:
+    """A solution that was copied or sent to another process, certified again."""
+    from . import _native  # it imports this module
+
+    return _native.Solution.from_json(text, problem, tolerance=tolerance)

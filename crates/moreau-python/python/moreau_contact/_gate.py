@@ -95,7 +95,7 @@ def gate(
     wanted = sweep(steps)
     check_baseline(baseline, wanted)
     report = _native.gate(
-        engine, command, names, wanted, json.dumps(_options(options)), jobs, repeats, time_limit,
+        engine, command, names, wanted, _engine.text_of(_options(options)), jobs, repeats, time_limit,
         time_limit if start_limit is None else start_limit, True, progress,
     )
     return report if baseline is None else report.compare(baseline)
@@ -103,10 +103,8 @@ def gate(
 
 def sweep(steps: str | float | Sequence[float | str]) -> list[float]:
     """The time steps [s] that are meant."""
-    if steps == "quick":
-        return list(QUICK)
-    if steps == "full":
-        return list(SWEEP)
+    if isinstance(steps, str) and steps in ("quick", "full"):
+        return list(QUICK if steps == "quick" else SWEEP)
     given = steps.split(",") if isinstance(steps, str) else [steps] if isinstance(steps, (int, float)) else list(steps)
     found = [seconds(step) for step in given]
     if not found or len(set(found)) < len(found):
@@ -168,4 +166,4 @@ def gate_one(engine: Any, name: str, steps: Sequence[float], options: Mapping[st
     command: list[str] = []
     if limit is not None:
         command, engine = _engine.command(engine), None
-    return _native.gate(engine, command, [name], list(steps), json.dumps(_options(options)), 1, repeats, limit or 60.0, limit or 60.0, False)
+    return _native.gate(engine, command, [name], list(steps), _engine.text_of(_options(options)), 1, repeats, limit or 60.0, limit or 60.0, False)

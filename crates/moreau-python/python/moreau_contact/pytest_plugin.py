@@ -27,6 +27,12 @@ from ._errors import MoreauError
 _FRACTIONS = {1.0 / under: f"1/{under}" for under in range(2, 1001)}
 
 
+def _count(text: str) -> int:
+    if not text.isdecimal() or int(text) < 1:
+        raise ValueError("use a whole number from 1")
+    return int(text)
+
+
 def pytest_addoption(parser: pytest.Parser) -> None:
     group = parser.getgroup("moreau", "contact simulators through the checks of moreau")
     group.addoption("--moreau-steps", metavar="STEPS", default="quick",
@@ -35,7 +41,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     group.addoption("--moreau-skip", metavar="WORD", action="append", default=[], help="no checks whose names contain the word; again for more")
     group.addoption("--moreau-baseline", metavar="FILE", type=Path, help="what became worse than this stored run fails, and not what is bad")
     group.addoption("--moreau-save-baseline", metavar="FILE", type=Path, help="store what was measured; known issues of the file are not kept")
-    group.addoption("--moreau-repeats", metavar="N", type=int, default=None,
+    group.addoption("--moreau-repeats", metavar="N", type=_count, default=None,
                     help="how often each check is measured; 3 with --moreau-save-baseline, else 1")
     group.addoption("--moreau-plots", metavar="FOLDER", type=Path, default=Path("moreau-plots"),
                     help="where pictures of motions that fail are drawn (moreau-plots)")
@@ -47,6 +53,8 @@ def pytest_configure(config: pytest.Config) -> None:
     for family in sorted({check["family"] for check in _gate.checks()}):
         config.addinivalue_line("markers", f"moreau_{_word(family)}: checks {family}/… of a contact simulator")
     config.stash[_PARTS] = []
+    if config.getoption("moreau_save_baseline") and (hasattr(config, "workerinput") or getattr(config.option, "numprocesses", None)):
+        raise pytest.UsageError("--moreau-save-baseline: the workers of pytest-xdist would store a part each; leave out -n")
     try:
         steps = _gate.sweep(_steps(config))
         _gate.checks(config.getoption("moreau_only"), config.getoption("moreau_skip"))
@@ -117,8 +125,15 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
     file, parts = session.config.getoption("moreau_save_baseline"), session.config.stash[_PARTS]
-    if file is not None and parts:
+    if file is None or not parts:
+        return
+    try:
         _native.Report.joined(parts).write(baseline=file)
+    except MoreauError as error:
+        session.exitstatus = pytest.ExitCode.USAGE_ERROR
+        reporter = session.config.pluginmanager.get_plugin("terminalreporter")
+        if reporter is not None:
+            reporter.write_line(f"--moreau-save-baseline: nothing is stored: {error}", red=True)
 
 
 def _steps(config: pytest.Config) -> Any:
@@ -149,9 +164,12 @@ def _told(config: pytest.Config, name: str, check: dict[str, Any], step: float |
     picture = report.motion_svg()
     if picture is not None:
         file = config.getoption("moreau_plots") / (re.sub(r"[^\w.-]+", "_", name).strip("_") + ".svg")
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(picture, encoding="utf-8")
-        lines.append(f"plot: {file}")
+        try:
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(picture, encoding="utf-8")
+            lines.append(f"plot: {file}")
+        except OSError as error:
+            lines.append(f"plot: could not be written: {error}")
     return "\n".join(lines)
 
 

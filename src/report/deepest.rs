@@ -1,0 +1,95 @@
+//! The deepest penetration of a motion beside the size of the body that it is in: a remark, no judgement.
+//!
+//! ```text
+//!     depth/size > DEEP      size: the smallest half extent of the two bodies
+//! ```
+
+use crate::contact::Contact;
+use crate::mechanics::Mechanism;
+use crate::number::{significant, two_digits};
+use crate::scenes::{Body, Scene};
+use crate::tolerance::report::DEEP;
+use crate::trajectory::Recording;
+
+/// Where a motion penetrates most, relative to the bodies.
+struct Deepest {
+    pair: (usize, Option<usize>),
+    /// Of the pair, the body with the smallest half extent.
+    body: usize,
+    depth: f64,
+    size: f64,
+    time: f64,
+}
+
+/// What is remarkable about the penetrations of a motion; nothing below [`DEEP`].
+pub fn remark(recording: &Recording, mechanism: &dyn Mechanism, scene: &Scene) -> Option<String> {
+    let deepest = deepest(recording, mechanism, scene).filter(|deepest| deepest.depth > DEEP * deepest.size)?;
+    let name = |body: usize| scene.bodies[body].name.as_str();
+    let (first, second) = deepest.pair;
+    let [depth, size] = [deepest.depth, deepest.size].map(significant);
+    Some(format!(
+        "{} and {} overlap by {depth} m at t = {} s, {} % of the smallest half extent of {}, {size} m; a smaller --step makes it less, \
+         unless the contact is as soft as that",
+        name(first),
+        second.map_or("ground", name),
+        significant(deepest.time),
+        two_digits(100.0 * deepest.depth / deepest.size),
+        name(deepest.body)
+    ))
+}
+
+fn deepest(recording: &Recording, mechanism: &dyn Mechanism, scene: &Scene) -> Option<Deepest> {
+    let of = |contact: &Contact, time: f64| {
+        let (first, second) = contact.place?.bodies;
+        let sized = [Some(first), second].into_iter().flatten().map(|body| (body, smallest_half_extent(&scene.bodies[body])));
+        let (body, size) = sized.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        Some(Deepest { pair: (first, second), body, depth: -contact.gap, size, time })
+    };
+    let touching = recording.samples.iter().flat_map(|state| {
+        let contacts = mechanism.contacts_within(&state.position, 0.0);
+        contacts.iter().filter_map(|contact| of(contact, state.time)).collect::<Vec<_>>()
+    });
+    // the first of several that are as deep
+    touching.reduce(|worst, next| if next.depth / next.size > worst.depth / worst.size { next } else { worst })
+}
+
+/// The radius, or the smallest half edge or half height \[m\].
+fn smallest_half_extent(body: &Body) -> f64 {
+    let round = [body.sphere.map(|sphere| sphere.radius), body.capsule.map(|capsule| capsule.radius)];
+    let cylinder = body.cylinder.map(|cylinder| cylinder.radius.min(cylinder.half_height));
+    let cuboid = body.cuboid.map(|cuboid| cuboid.half_extents.into_iter().fold(f64::INFINITY, f64::min));
+    round.into_iter().chain([cylinder, cuboid]).flatten().fold(f64::INFINITY, f64::min)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenes::named;
+    use crate::schemes::{MoreauJean, simulate};
+    use crate::solvers::Auto;
+
+    fn remarked(step: f64) -> Option<String> {
+        let scene = named("ball-drop").expect("built in");
+        let (mechanism, start) = scene.mechanism().expect("planar");
+        let steps = (scene.duration / step).round() as usize;
+        let run = simulate(&MoreauJean::default(), &Auto, mechanism.as_ref(), start, step, steps).expect("a ball");
+        remark(&run, mechanism.as_ref(), &scene)
+    }
+
+    #[test]
+    fn a_ball_that_is_deep_in_the_ground_at_large_steps_is_remarked_on_and_at_small_ones_not() {
+        let text = remarked(0.05).expect("it lands at 4.4 m/s, up to 0.22 m a step");
+        assert!(text.starts_with("ball and ground overlap by ") && text.contains("half extent of ball, 0.1 m"), "{text}");
+        assert_eq!(remarked(0.001), None);
+    }
+
+    #[test]
+    fn the_smallest_half_extent_is_that_of_the_shape() {
+        let mut body = Body::cuboid("box", 1.0, [0.3, 0.1, 0.2], [0.0; 3]);
+        assert_eq!(smallest_half_extent(&body), 0.1);
+        body.cuboid = None;
+        body.cylinder = Some(crate::scenes::Cylinder { radius: 0.5, half_height: 0.25 });
+        assert_eq!(smallest_half_extent(&body), 0.25);
+        assert_eq!(smallest_half_extent(&Body::sphere("ball", 1.0, 0.4, [0.0; 3])), 0.4);
+    }
+}
