@@ -46,7 +46,8 @@ const RESTING: &str = "After landing nothing moves. A solver that leaves a part 
     + g h) deep. The engine may correct this depth later. A compliant or slack contact sinks by at most twice its declared rest depth \
     under the whole load, level by level, at up to √(2 g · sink). Springs may give the energy of the falls to one box, which lifts all \
     boxes above it. If an engine declares that a step takes back a part of each depth, the levels rise by that part of the landings' \
-    depths; and the pile sways, and its boxes tip, when a corner has no depth left, opens and falls for a step. A part of more than a third lets \
+    depths; and the pile sways, and its boxes tip, when a corner has no depth left, opens and falls for a step. A part of more than a \
+    third lets \
     corners fly for longer, and boxes hop: that is not asked. \
     Boxes on declared springs of a frequency start at the depth of each level, N/(m_p (2πf)²) at its corners, and stay there.";
 
@@ -310,8 +311,8 @@ fn does_not_hop(bench: &Bench) -> Reply<()> {
     match Model::of(bench.description()) {
         Model::Coulomb(limits) if limits.penetration_allowance == 0.0 && tolerance::hops(limits.error_reduction) => {
             Err(Refusal::unsupported(
-                "the engine declares `error_reduction` of more than a third and no allowance: boxes that are pushed out hop, and where a pile \
-             of them goes is not predicted",
+                "the engine declares `error_reduction` of more than a third and no allowance: boxes that are pushed out hop, \
+                 and where a pile of them goes is not predicted",
             ))
         }
         _ => Ok(()),

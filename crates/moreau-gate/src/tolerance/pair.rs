@@ -85,8 +85,8 @@ pub fn turned_ratio(turn: f64, friction: f64) -> f64 {
     (1.0 + friction * friction) * turn / friction
 }
 
-/// Angular momentum \[kg·m²/s\] beside that of a lever R n: while the contact lasts n turns by δ, and the normal impulse p turns with it, R n₀
-/// × p n = R p δ. Friction has the lever R all the time.
+/// Angular momentum \[kg·m²/s\] beside that of a lever R n: while the contact lasts n turns by δ, and the normal impulse p
+/// turns with it, R n₀ × p n = R p δ. Friction has the lever R all the time.
 /// Derived.
 pub fn turned_lever(reach: f64, turn: f64, pressed: f64) -> f64 {
     reach * turn * pressed.abs()
