@@ -28,6 +28,8 @@ ALARMS = [
     ("damping-strong", ["tumbling/rough", "limits/stick"], "declared damping of a rate that shows"),
     ("error-reduction-large", ["ball/energy", "ball/restitution", "rest/drift", "rest/jitter", "metamorphic/body-order", "incline/stick"],
      "declared error reduction that opens contacts"),
+    ("error-reduction-large", ["contact/increment", "pair/held", "conveyor/box"], "declared error reduction that opens contacts"),
+    ("spring", ["pair/oblique-spheres"], "a spring that lasts turns its normal"),
     ("position-correction", ["ball/energy", "energy/passive", "rocking/impact", "tumbling/passive", "tumbling/bouncing", "tumbling/rough"],
      "a declared correction of the position"),
     ("pyramid-second", ["contact/dissipation"], "a pyramid whose impulses act below the surface"),

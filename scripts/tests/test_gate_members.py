@@ -22,16 +22,11 @@ SMALL = "1/240"
 ALL_STEPS = ("1/30", "1/60", "1/240", "1/1000")
 #: program → checks that it is asked in a campaign only: ten boxes of springs take minutes in Python
 DEAR = {"spring_damper.py": ("stack/",)}
-#: member → checks that are known to fail it although it is correct: docs/gate.md says so
-KNOWN = {"error-reduction": ("stack/ten", "contact/increment"),
-         "error-reduction-large": ("stack/", "pair/held", "conveyor/box"),
-         "spring": ("pair/oblique-spheres",),
-         "spring-damper-stiff": ("metamorphic/body-order",)}
 
 
 def bad(member, steps):
     """Checks that fail or err, with what was said of them."""
-    skipped = KNOWN.get(member["name"], ()) + (() if CAMPAIGN else DEAR.get(member["command"][0], ()))
+    skipped = () if CAMPAIGN else DEAR.get(member["command"][0], ())
     skip = [word for check in ("solver/", "projection/", *skipped) for word in ("--skip", check)]
     command = [MOREAU, "gate", "--steps", ",".join(steps), "--time-limit", "900", *skip, "--", sys.executable, *member["command"]]
     run = subprocess.run(command, cwd=FOLDER, capture_output=True, text=True)

@@ -26,6 +26,8 @@ CAUGHT = {
     "pair-impulses-reversed": "contact/pairs",
     "pair-impulses-unreported": "contact/pairs",
 }
+#: mutant → the check that fails at this step of the whole sweep and at none of STEPS
+CAUGHT_LATE = {"gyroscopic-torque-early": ("spin/gyroscopic", "0.003")}
 MEMBERS = (
     ["gauss_seidel.py", "--point", "middle", "--order", "reversed"],
     ["gauss_seidel.py", "--theta", "1", "--activation", "speculative"],
@@ -50,6 +52,14 @@ class SpinAndLimits(unittest.TestCase):
             with self.subTest(mutant):
                 outcome, = report(["gauss_seidel.py", "--mutant", mutant], [check], STEPS)["checks"]
                 self.assertEqual([step["verdict"] for step in outcome["steps"]], ["fail"] * len(STEPS))
+
+    def test_a_mutant_that_grows_slowly_fails_over_a_thousand_turns_only_and_a_correct_member_does_not(self):
+        for mutant, (check, late) in CAUGHT_LATE.items():
+            with self.subTest(mutant):
+                outcome, = report(["gauss_seidel.py", "--mutant", mutant], [check], (*STEPS, late))["checks"]
+                self.assertEqual([step["verdict"] for step in outcome["steps"]], ["pass"] * len(STEPS) + ["fail"])
+                outcome, = report(["gauss_seidel.py"], [check], (late,))["checks"]
+                self.assertEqual(outcome["verdict"], "pass", outcome)
 
     def test_correct_members_pass(self):
         for member in MEMBERS:

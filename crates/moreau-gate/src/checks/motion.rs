@@ -3,6 +3,7 @@
 use crate::model::Model;
 use crate::model::compression::LoadedPoint;
 use crate::model::normal::Normal;
+use crate::tolerance::metamorphic::vanishes;
 use crate::{Bench, Kind};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::trajectory::BodyTrack;
@@ -37,6 +38,14 @@ pub(super) fn yields(bench: &Bench) -> bool {
         _ => false,
     };
     allowed || bench.description().contact_model.kind == Kind::Compliant
+}
+
+/// The part of a depth that a step takes back by declaration, if nothing is left of the depth within so many steps but what solvers leave:
+/// contacts open then, fall for a step and are pushed out again.
+pub(super) fn opens_within(bench: &Bench, steps: usize) -> Option<f64> {
+    let Model::Coulomb(limits) = Model::of(bench.description()) else { return None };
+    let part = limits.taken_back();
+    (limits.penetration_allowance == 0.0 && vanishes(part, steps as f64)).then_some(part)
 }
 
 /// One body at one sample.

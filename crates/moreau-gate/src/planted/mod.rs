@@ -101,11 +101,17 @@ pub fn find(name: &str) -> Option<&'static Planted<Faulty>> {
     all().find(|planted| planted.name == name)
 }
 
-/// The report of the quick sweep of some checks on a planted engine.
+/// The time steps \[s\] at which a planted engine is asked: the quick sweep, and one more where that shows nothing.
+fn time_steps(planted: &Planted<Faulty>) -> Vec<f64> {
+    let more = spin::SHOW_AT.iter().filter(|(name, _)| *name == planted.name).map(|(_, h)| *h);
+    QUICK.into_iter().chain(more).collect()
+}
+
+/// The report of some checks on a planted engine, over the quick sweep and, where that shows nothing of the mistake, at a step that does.
 ///
 /// # Errors
 /// If the engine does not describe itself.
 pub fn judge(planted: &Planted<Faulty>, checks: &[&'static Check]) -> Result<Report> {
-    let plan = Plan { checks: checks.to_vec(), sweep: QUICK.to_vec(), options: Options::new(), jobs: 1, repeats: 1, progress: &|| {} };
+    let plan = Plan { checks: checks.to_vec(), sweep: time_steps(planted), options: Options::new(), jobs: 1, repeats: 1, progress: &|| {} };
     runner::run(&planted.subject.engine, &plan).map_err(|refusal| Error::Unsupported(format!("{}: {refusal}", planted.name)))
 }

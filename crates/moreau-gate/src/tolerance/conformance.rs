@@ -38,7 +38,8 @@ pub const FREE_FALL: f64 = 1.0 / 24.0;
 pub const MOMENTUM: f64 = 1.0 / 8.0;
 
 /// How far the coefficient of restitution ½ of one impact may be off. The ball has 1/16 of a step's way left, and an engine that uses up
-/// the gap in the step of the impact loses 1/16. An engine that pushes out a depth may be off by as much again. The mistakes looked for are
+/// the gap in the step of the impact loses 1/16. An engine that pushes out a depth may be off by as much again, and by the part of the
+/// speed that it declares. The mistakes looked for are
 /// no restitution and the product e² of two materials, which are off by ½ and ¼.
 /// Derived.
 pub const RESTITUTION: f64 = 1.0 / 8.0;

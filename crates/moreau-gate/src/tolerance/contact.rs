@@ -74,6 +74,13 @@ pub fn work(mass: f64, gravity: f64, h: f64, energy: f64) -> f64 {
     mass * (gravity * h).powi(2) / 8.0 + SOLVED * energy
 }
 
+/// Work \[J\] of a contact that asks for a normal velocity w \[m/s\], in a step that begins with u \[m/s\]: p = m (w − u + g h), and the
+/// body leaves with w, ½ p (u + w); for w = 0 this is at most the m g² h²/8 of [`work`].
+/// Derived.
+pub fn pushing(mass: f64, gravity: f64, h: f64, velocity: f64, push: f64) -> f64 {
+    (0.5 * mass * (push - velocity + gravity * h).max(0.0) * (velocity + push)).max(0.0)
+}
+
 /// Work \[J\] that friction may do in one step: none, since it opposes the slip after the step, which it has made smaller. The solver
 /// leaves a part [`SOLVED`] of the largest impulse, at most at the speed of the throw.
 /// Derived.
@@ -83,9 +90,23 @@ pub fn friction_work(largest_impulse: f64, speed: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::pyramid;
+    use super::{pushing, pyramid, work};
     use moreau_exact::tolerance::rounding;
     use nalgebra::Vector2;
+
+    #[test]
+    fn a_contact_that_asks_for_a_velocity_gives_the_energy_that_the_body_gains_and_falls_through() {
+        let (mass, gravity, h) = (2.0, 9.81, 0.01);
+        for (u, w) in [(-0.5, 0.7), (0.2, 0.3), (0.0, 0.0), (0.05, 0.0)] {
+            // from u to w, less the work ½ (u + w) h of gravity
+            let gained = 0.5 * mass * (w * w - u * u) + mass * gravity * h * 0.5 * (u + w);
+            assert!((pushing(mass, gravity, h, u, w) - gained).abs() <= rounding(16, 2.0), "{u} {w}");
+        }
+        assert_eq!(pushing(mass, gravity, h, -0.7, 0.5), 0.0, "it takes energy");
+        assert_eq!(pushing(mass, gravity, h, 0.2, 0.0), 0.0, "it rises by itself");
+        let most = (0..=100).map(|k| pushing(mass, gravity, h, gravity * h * f64::from(k) / 100.0, 0.0)).fold(0.0, f64::max);
+        assert!(most <= work(mass, gravity, h, 0.0) + rounding(16, 1.0));
+    }
 
     #[test]
     fn no_pyramid_is_farther_from_a_turned_slip_than_its_bound_and_the_one_around_the_cone_reaches_it() {

@@ -85,6 +85,13 @@ pub fn turned_ratio(turn: f64, friction: f64) -> f64 {
     (1.0 + friction * friction) * turn / friction
 }
 
+/// Angular momentum \[kg·m²/s\] beside that of a lever R n: while the contact lasts n turns by δ, and the normal impulse p
+/// turns with it, R n₀ × p n = R p δ. Friction has the lever R all the time.
+/// Derived.
+pub fn turned_lever(reach: f64, turn: f64, pressed: f64) -> f64 {
+    reach * turn * pressed.abs()
+}
+
 /// Part of an impulse that comes later in a plastic impact: the surfaces stay in touch and close again with the acceleration `closing`
 /// \[m/s²\] of their turning, or of the turn of their normal, for a time, against the speed of approach.
 /// Derived.

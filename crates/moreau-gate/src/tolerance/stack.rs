@@ -40,6 +40,13 @@ pub fn sway(reduction: f64, height: f64, width: f64, gravity: f64, h: f64, steps
     times * height * super::ball::depth(0.0, gravity, h) / width
 }
 
+/// Whether a declared error reduction r without an allowance lets a corner fly for longer than the step in which it opens, which [`sway`]
+/// takes for granted: it flies for up to 3 r steps ([`super::incline::pushed_creep`]).
+/// Derived.
+pub fn hops(reduction: f64) -> bool {
+    3.0 * reduction > 1.0
+}
+
 /// Speed \[m/s\] gained by sinking a distance under gravity: ½v² ≤ g · sink.
 /// Derived.
 pub fn sinking_speed(gravity: f64, sink: f64) -> f64 {

@@ -57,10 +57,10 @@ pub const CHECKS: &[Check] = &[
         level: Level::Simulate,
         question: "Does a contact without restitution ever do positive work on a sphere?",
         derivation: "The work of an impulse over its step is ½ pᵀ(u⁻ + u⁺), which is not positive without restitution. A contact that is \
-            found while the sphere still rises at u < g h takes p_n = m (g h − u), and may give ½ p_n u ≤ m g² h²/8. A compliant contact \
-            gives back the energy that it has stored, so that its sum since the start is checked. The work of friction alone is never \
-            positive, or its sum is not with a declared spring along the floor: it opposes the slip after the step. The sphere slips until \
-            the end.",
+            found while the sphere still rises at u < g h takes p_n = m (g h − u), and may give ½ p_n u ≤ m g² h²/8. Where error \
+            reduction is declared, a depth δ asks for w = r δ/h, which may give ½ m (w − u + g h) (u + w). A compliant contact gives back \
+            the energy that it has stored, so that its sum since the start is checked. The work of friction alone is never positive, or \
+            its sum is not with a declared spring along the floor: it opposes the slip after the step. The sphere slips until the end.",
         source: "ΔT = ½ pᵀ(u⁻ + u⁺), exact for one step",
         run: Run::EachStep(laws::increment),
         control: Control { passes: "moreau-jean", fails: "contact/friction-along-slip" },

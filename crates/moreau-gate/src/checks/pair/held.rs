@@ -6,8 +6,8 @@
 
 use crate::checks::incline::scenes::{angle, held, inclined, slope};
 use crate::checks::incline::stick::half_time;
-use crate::checks::motion::{Sample, start_gap};
-use crate::checks::scenery::{GRAVITY, cuboid, over_floor};
+use crate::checks::motion::{Sample, opens_within, start_gap};
+use crate::checks::scenery::{GRAVITY, between, cuboid, over_floor};
 use crate::model::creep::creep;
 use crate::tolerance::{incline as tolerance, pair};
 use crate::{Bench, Expectation, Measurement, Reply};
@@ -46,7 +46,11 @@ pub(super) fn held_by_a_box(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>
     let carried = pair::carried_creep(slope.pull, h, [MASSES[0], MASSES[0] + MASSES[1]]);
     let ideal = tolerance::creep(slope.pull, h, bench.epsilon(), sizes, time) + carried;
     let crept = |speed: f64| Expectation::equal(speed, ideal + speed, "up to twice the slip at which the declared law holds the load");
-    let model = creep(bench.description(), &held(&scene, &slope, h)).map(crept);
+    let pushed = opens_within(bench, 2 * half).map(|part| {
+        let most = tolerance::pushed_creep(part, FRICTION * slope.press, h) * MASSES.len() as f64;
+        between([-most, most], ideal, "the fall of some steps after each declared correction of a depth, of either box")
+    });
+    let model = creep(bench.description(), &held(&scene, &slope, h)).map(crept).or(pushed);
     let rest = Expectation::equal(0.0, ideal, "tan α < μ: rest");
     // creep alone would take two boxes that fall side by side for boxes at rest
     let height = slope.normal.dot(&Sample::of(&motion.bodies[0], 2).position);

@@ -69,6 +69,8 @@ pub(in crate::checks) struct Meeting {
     sizes: [f64; 2],
     /// Distance of the surfaces \[m\] at which the contact may have acted: that of a step, and the depth of a contact that yields.
     pub apart: f64,
+    /// Time \[s\] for which surfaces that yield overlapped, up to the next samples; 0 where none does.
+    pub lasted: f64,
     epsilon: f64,
 }
 
@@ -100,6 +102,7 @@ impl Meeting {
             turned: 0.0,
             sizes: [momentum, momentum * lever],
             apart: tolerance::apart(speed, h),
+            lasted: 0.0,
             epsilon: bench.epsilon(),
         }
     }
@@ -124,14 +127,16 @@ impl Meeting {
             let [first, second] = pair.map(|index| Vector3::from(motion.bodies[index].position[k]));
             normal.dot(&(second - first))
         };
-        let depth = (0..=last).map(|k| distance(0) - GAP - distance(k)).fold(0.0, f64::max);
-        let yielding = if yields(bench) { depth } else { 0.0 };
+        let depths: Vec<f64> = (0..=last).map(|k| distance(0) - GAP - distance(k)).collect();
+        let yielding = if yields(bench) { depths.iter().copied().fold(0.0, f64::max) } else { 0.0 };
+        let overlapped = if yields(bench) { depths.iter().filter(|depth| **depth > 0.0).count() + 1 } else { 0 };
         let size = |part: usize| parts.iter().map(|one| one.sizes[part]).sum();
         Meeting {
             gains: parts.each_ref().map(|part| part.gain),
             turned: parts.iter().map(|part| part.turned).sum::<Vector3<f64>>().norm(),
             sizes: [size(0), size(1)],
             apart: tolerance::apart(speed, motion.time_step) + yielding,
+            lasted: overlapped as f64 * motion.time_step,
             epsilon: bench.epsilon(),
         }
     }

@@ -71,7 +71,9 @@ fn by_spin(bench: &mut Bench, h: f64, (words, mu, restitution): (&str, f64, f64)
     let across = pushed.yz().norm();
     let levers = [Vector3::x() * RADII[0], Vector3::x() * -RADII[1]];
     let slack = meeting.apart * across;
-    let mut measured: Vec<Measurement> = meeting.momenta(words, slack).into_iter().chain(meeting.moments(words, levers, slack)).collect();
+    let mut measured: Vec<Measurement> = meeting.momenta(words, slack).into();
+    let turned = across / reduced_mass() * meeting.lasted / (RADII[0] + RADII[1]);
+    measured.extend(meeting.moments(words, levers, slack + tolerance::turned_lever(RADII[1], turned, pushed.x)));
     let (ideal, law) = friction::opposed(bench);
     let angle = pushed.z.abs().atan2(pushed.y);
     measured.push(Measurement::new(format!("angle of friction to the slip{words}"), "rad", angle, ideal).predicted(law));

@@ -90,7 +90,8 @@ pub const CHECKS: &[Check] = &[
         question: "Do boxes that land without restitution come to rest, on the floor and not inside each other?",
         derivation: "Sliding ends after v/(μ g). A landing from edge to edge keeps at most (1 − 3/2 sin²α)² of the energy. Both end \
             within a second. After 2.5 s a corner is slower than a step of gravity, g h. The lowest body is within 3 g h² of the floor, \
-            and depths are bounded as in flight.",
+            and depths are bounded as in flight. Contacts whose depth is taken back by declaration open when nothing is left of it, and \
+            move at up to 3/2 g h, level by level.",
         source: "Housner 1963; the places where event capturing lets a ball rest",
         run: Run::EachStep(rest::rest),
         control: Control { passes: "moreau-jean", fails: "tumbling/stale-impulses" },
