@@ -3,7 +3,7 @@
 //! ```text
 //!     accepted_k   every residual of contact k ≤ max(τ · scale, floor)
 //! ```
-//! [`residuals`](super::residuals) keeps each residual where it is worst; an answer is accepted where every contact is.
+//! [`residuals`](fn@super::residuals) keeps each residual where it is worst; an answer is accepted where every contact is.
 
 use super::judge::Judge;
 use super::part::Part;
@@ -28,7 +28,7 @@ impl ContactResiduals {
 /// The residuals of every contact of an answer. Those of a contact that has no impulse and plainly opens are 0.
 ///
 /// # Errors
-/// Those of [`residuals`](super::residuals).
+/// Those of [`residuals`](fn@super::residuals).
 /// Two balls of 1 kg fall at 1 m/s; the second impulse is too small:
 /// ```
 /// use moreau_contact::certificate::by_contact;
