@@ -1,3 +1,5 @@
+//! Tests of the page of a motion: its numbers are the recording's, its texts are escaped, and nothing is fetched.
+
 use super::super::steps::StepSummary;
 use super::*;
 use crate::certificate::{Judgement, StepResidual};

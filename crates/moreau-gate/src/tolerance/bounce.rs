@@ -45,3 +45,13 @@ pub fn away(speed: f64, h: f64) -> f64 {
 pub fn pressed(epsilon: f64) -> f64 {
     2.0 * solved(epsilon)
 }
+
+/// A mistake of e that is told where nothing but rounding is allowed.
+/// Required: of the checks of one impact, by their tests.
+#[cfg(test)]
+pub const WRONG: f64 = 1e-6;
+
+/// A mistake of e that is told where the solver may leave a part of the impulse, which acts with the lever of a corner.
+/// Required: of the checks of several impulses at once, by their tests.
+#[cfg(test)]
+pub const WRONG_IN_SUM: f64 = 2e-3;

@@ -11,18 +11,18 @@ fn point() -> ContactProblemBuilder {
 
 #[test]
 fn what_is_not_said_is_hard_and_spatial() {
-    let problem = point().build().unwrap();
+    let problem = point().build().expect("sizes fit");
     assert_eq!((problem.rows_per_contact(), problem.contacts(), problem.law(), problem.name()), (3, 1, Law::Coulomb, ""));
     assert_eq!((problem.friction(), problem.shift()), (&[0.0][..], &DVector::zeros(3)));
     assert!(problem.compliance().is_none() && problem.dynamics().is_none() && problem.bodies().is_none());
-    assert_eq!(problem.clone().into_builder().build().unwrap(), problem);
+    assert_eq!(problem.clone().into_builder().build().expect("sizes fit"), problem);
 }
 
 #[test]
 fn w_and_the_free_velocity_follow_from_mass_jacobian_and_free_motion() {
     let (mass, jacobian) = (dmatrix![2.0, 0.0; 0.0, 4.0], dmatrix![1.0, 1.0; 0.0, 2.0]);
     let problem = ContactProblem::from_dynamics(mass.clone(), jacobian.clone(), &dvector![-1.0, 3.0]);
-    let problem = problem.rows_per_contact(2).friction(vec![0.5]).build().unwrap();
+    let problem = problem.rows_per_contact(2).friction(vec![0.5]).build().expect("sizes fit");
     assert_eq!((problem.dense(), problem.free_velocity()), (&dmatrix![0.75, 0.5; 0.5, 1.0], &dvector![2.0, 6.0]));
     assert_eq!(problem.dynamics(), Some(&Dynamics { mass, jacobian }));
 }
@@ -30,7 +30,7 @@ fn w_and_the_free_velocity_follow_from_mass_jacobian_and_free_motion() {
 #[test]
 fn the_operator_is_the_same_by_entry_block_column_and_effect() {
     let w = DMatrix::from_fn(4, 4, |i, j| (1 + 4 * i + j) as f64);
-    let problem = ContactProblem::new(w.clone(), DVector::zeros(4)).rows_per_contact(2).friction(vec![0.5; 2]).build().unwrap();
+    let problem = ContactProblem::new(w.clone(), DVector::zeros(4)).rows_per_contact(2).friction(vec![0.5; 2]).build().expect("sizes fit");
     let impulse = dvector![1.0, -2.0, 0.5, 0.0];
     let mut columns = vec![0.0; 4];
     impulse.iter().enumerate().for_each(|(j, r)| problem.add_column(j, *r, &mut columns));

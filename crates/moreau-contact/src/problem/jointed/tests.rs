@@ -7,13 +7,13 @@ const KINDS: [ConstraintKind; 3] = [ConstraintKind::Limit, ConstraintKind::Bilat
 
 fn six() -> JointedProblem {
     let w = DMatrix::from_fn(6, 6, |i, j| if i == j { 2.0 + i as f64 } else { 0.125 * (i + j) as f64 });
-    JointedProblem::new(3, KINDS.to_vec(), w, dvector![1.0, 2.0, 3.0, 4.0, 5.0, 6.0]).unwrap()
+    JointedProblem::new(3, KINDS.to_vec(), w, dvector![1.0, 2.0, 3.0, 4.0, 5.0, 6.0]).expect("valid by construction")
 }
 
 #[test]
 fn limits_are_contacts_without_friction_whose_tangents_move_nothing_else() {
-    let problem = six().law(Law::Coulomb, vec![0.0, 0.0, 0.5]).unwrap();
-    let alone = problem.unilateral(problem.delassus(), problem.free_velocity()).unwrap();
+    let problem = six().law(Law::Coulomb, vec![0.0, 0.0, 0.5]).expect("valid by construction");
+    let alone = problem.unilateral(problem.delassus(), problem.free_velocity()).expect("valid by construction");
     assert_eq!((alone.contacts(), alone.friction(), problem.pushing()), (2, &[0.0, 0.5][..], vec![0, 2]));
     assert_eq!(alone.free_velocity(), &dvector![1.0, 0.0, 0.0, 4.0, 5.0, 6.0]);
     let w = alone.dense();
@@ -56,11 +56,20 @@ fn no_problem_is_made_that_cannot_be_meant() {
 fn a_file_with_kinds_is_read_back_to_the_last_bit() {
     use crate::problem::Posed;
     let bodies = vec![[Some(0), None], [Some(0), Some(1)], [None, Some(1)]];
-    let problem = six().named("gate").law(Law::Coulomb, vec![0.0, 0.0, 0.1]).unwrap().between(Some(bodies), None).unwrap();
-    let problem = problem.shift(dvector![0.1, 0.2, 0.3, 0.4, 0.5, 0.6]).unwrap().softness(dvector![0.1, 0.0, 0.7, 0.0, 0.0, 0.0]).unwrap();
+    let problem = six()
+        .named("gate")
+        .law(Law::Coulomb, vec![0.0, 0.0, 0.1])
+        .expect("valid by construction")
+        .between(Some(bodies), None)
+        .expect("valid by construction");
+    let problem = problem
+        .shift(dvector![0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
+        .expect("valid by construction")
+        .softness(dvector![0.1, 0.0, 0.7, 0.0, 0.0, 0.0])
+        .expect("valid by construction");
     let text = problem.to_json();
     assert!(text.contains(r#""kinds":["limit",{"bilateral":2},"contact"]"#), "{text}");
-    assert_eq!(Posed::from_json(&text).unwrap(), Posed::Jointed(Box::new(problem)));
+    assert_eq!(Posed::from_json(&text).expect("well formed"), Posed::Jointed(Box::new(problem)));
     let message = ContactProblem::from_json(&text).expect_err("no contact problem").to_string();
     assert!(message.contains("`kinds`") && message.contains("moreau solve"), "{message}");
 }
@@ -72,7 +81,7 @@ fn kinds_that_are_all_contacts_are_as_no_kinds() {
     let block = r#"{"schema": "contact-problem/1", "name": "b", "dimension": 1, "law": "frictionless", "friction": [0, 0],
         "free_velocity": [-1, 2], KINDS "delassus": {"shape": [2, 2], "rows": [[1, 0], [0, 1]]}}"#;
     let read = |kinds: &str| Posed::from_json(&block.replace("KINDS", kinds));
-    assert_eq!(read(r#""kinds": ["contact", "contact"],"#).unwrap(), read("").unwrap());
+    assert_eq!(read(r#""kinds": ["contact", "contact"],"#).expect("well formed"), read("").expect("well formed"));
     let refused = |kinds: &str, word: &str| {
         let message = read(kinds).expect_err(word).to_string();
         assert!(message.contains(word), "{message}");
@@ -99,6 +108,6 @@ fn every_form_of_mass_and_rows_makes_the_same_w() {
             "sparse_rows": {"starts": [0, 1, 3], "column": [0, 0, 1], "value": [1, 0.5, 0.75]}}}"#,
         r#""delassus": {"shape": [2, 2], "triplets": {"row": [0, 0, 1, 1], "column": [0, 1, 0, 1], "value": [0.5, 0.25, 0.25, 0.40625]}}}"#,
     ];
-    let read = forms.map(|form| Posed::from_json(&format!("{head}{form}")).unwrap());
+    let read = forms.map(|form| Posed::from_json(&format!("{head}{form}")).expect("well formed"));
     assert!(read.iter().all(|posed| *posed == read[0] && matches!(posed, Posed::Jointed(_))));
 }

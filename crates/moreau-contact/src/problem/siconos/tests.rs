@@ -26,7 +26,7 @@ fn expected() -> DMatrix<f64> {
 #[test]
 fn three_ways_to_store_a_matrix_give_the_same_problem() {
     for (text, is_sparse) in [(DENSE, false), (BLOCKS, true), (COLUMNS, true)] {
-        let problem = read(text, "two").unwrap();
+        let problem = read(text, "two").expect("well formed");
         assert_eq!((problem.name(), problem.law(), problem.rows_per_contact()), ("two", Law::Coulomb, 2));
         assert_eq!((problem.dense(), problem.delassus().blocks().is_some()), (&expected(), is_sparse));
         assert_eq!((problem.free_velocity(), problem.friction()), (&dvector![-1.0, 0.25, -2.0, 0.0], &[0.5, 0.0][..]));
@@ -35,7 +35,7 @@ fn three_ways_to_store_a_matrix_give_the_same_problem() {
 
 #[test]
 fn a_global_problem_is_reduced_to_its_contacts() {
-    let problem = read(GLOBAL, "global").unwrap();
+    let problem = read(GLOBAL, "global").expect("well formed");
     // H has the columns e₁, e₂, e₃, −e₃: the second contact is the turning velocity and its opposite
     let w = dmatrix![0.5, 0.0, 0.0, 0.0; 0.0, 0.5, 0.0, 0.0; 0.0, 0.0, 0.25, -0.25; 0.0, 0.0, -0.25, 0.25];
     assert_eq!(problem.dense(), &w);
@@ -45,7 +45,7 @@ fn a_global_problem_is_reduced_to_its_contacts() {
 
 #[test]
 fn a_complementarity_problem_keeps_its_asymmetry() {
-    let problem = read(LCP, "murty").unwrap();
+    let problem = read(LCP, "murty").expect("well formed");
     assert_eq!((problem.law(), problem.rows_per_contact(), problem.contacts()), (Law::Frictionless, 1, 3));
     assert_eq!(problem.dense(), &dmatrix![1.0, 0.0, 0.0; 2.0, 1.0, 0.0; 2.0, 2.0, 1.0]);
 }
@@ -63,7 +63,7 @@ fn every_file_that_is_cut_short_is_refused() {
 #[test]
 fn mistakes_are_named_with_their_line() {
     let refused = |text: &str, words: &[&str]| {
-        let message = read(text, "wrong").unwrap_err().to_string();
+        let message = read(text, "wrong").expect_err("refused").to_string();
         words.iter().for_each(|word| assert!(message.contains(word), "{message} misses {word}"));
     };
     refused(&DENSE.replace("0.5 3 0 1", "0.5 three 0 1"), &["W, line 8", "three"]);

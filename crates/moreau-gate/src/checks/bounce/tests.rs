@@ -3,13 +3,14 @@
 use super::scene::{GAP, PATIENCE, RESTITUTION, SPEED};
 use super::*;
 use crate::exact::{RigidState, judge};
+use crate::tolerance::bounce as tolerance;
 use crate::{Measurement, Verdict};
 use moreau_dynamics::scenes::{Body, Scene};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use spinning::{Contact, RADIUS, SPINS};
 
 /// Every step a sweep may have \[s\].
-const STEPS: [f64; 6] = [1.0 / 30.0, 1.0 / 60.0, 1.0 / 240.0, 1e-3, 2e-4, 1e-4];
+const STEPS: [f64; 6] = [1.0 / 30.0, 1.0 / 60.0, 1.0 / 240.0, 1.0 / 1000.0, 1.0 / 5000.0, 1.0 / 10_000.0];
 
 /// What an exact engine may have wrong.
 #[derive(Clone, Copy)]
@@ -95,12 +96,12 @@ fn the_closed_forms_pass_at_every_step() {
 #[test]
 fn one_wrong_number_fails_at_every_step() {
     let wrong: [(&str, Law); 11] = [
-        ("bounce/flat-box", Law { restitution: |_| RESTITUTION + 2e-3, ..RIGHT }),
-        ("bounce/corner", Law { restitution: |_| RESTITUTION + 1e-6, ..RIGHT }),
+        ("bounce/flat-box", Law { restitution: |_| RESTITUTION + tolerance::WRONG_IN_SUM, ..RIGHT }),
+        ("bounce/corner", Law { restitution: |_| RESTITUTION + tolerance::WRONG, ..RIGHT }),
         ("bounce/corner", Law { inertia: 1.01, ..RIGHT }),
         ("bounce/slow", Law { restitution: |speed| if speed < 0.03 { 0.499 } else { RESTITUTION }, ..RIGHT }),
         ("bounce/slow", Law { restitution: |speed| if speed > 1.0 { 0.0 } else { RESTITUTION }, ..RIGHT }),
-        ("bounce/every-step", Law { restitution: |_| RESTITUTION + 1e-6, ..RIGHT }),
+        ("bounce/every-step", Law { restitution: |_| RESTITUTION + tolerance::WRONG, ..RIGHT }),
         ("bounce/spinning-ball", Law { friction: 0.302, ..RIGHT }),
         ("bounce/spinning-ball", Law { tangential: 1.0, ..RIGHT }),
         ("bounce/separating", Law { pressed: 0.9 * RESTITUTION, ..RIGHT }),
