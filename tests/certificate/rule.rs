@@ -167,10 +167,15 @@ fn at(problem: &Exact, answer: &Answer, y: &[Rational], k: usize, limits: Limits
     let length = |x: &[Rational]| x.iter().map(|x| nearest(x).powi(2)).sum::<f64>().sqrt();
     let [data_t, net_t] = [length(&data[1..]), length(&net[t.clone()])].map(|velocity| nearest(&rho_t) * velocity);
     // its evaluation rounds by 8ε of its terms
-    let rounded = 8.0 * f64::EPSILON * (size_of(&data[0]) + nearest(mu) * length(&data[1..]));
-    let data_n = rho_n * if OWN_DATA { size_of(&towards(problem.law, mu, &data)) + rounded } else { size_of(&data[0]) };
+    let rounded = |slip: f64| 8.0 * f64::EPSILON * (size_of(&data[0]) + slip);
+    let slip = length(&data[1..]);
+    // μ times what this adds to s_r is never more than the rounding of the slip, nor than that of μ² times it
+    let beside = rounded(if nearest(mu) > 1.0 { slip / nearest(mu) } else { nearest(mu) * slip });
+    let subtracts = matches!(problem.law, Law::Associated | Law::PolyhedralAssociated { .. });
+    let towards_it = size_of(&towards(problem.law, mu, &data)) + if subtracts { rounded(nearest(mu) * slip) } else { beside };
+    let data_n = rho_n * if OWN_DATA { towards_it } else { size_of(&data[0]) };
     // slip makes no friction: the smaller of |q_n| and |q_n − μ‖q_t‖|
-    let pressed = size_of(&towards(problem.law, mu, &data)).min(size_of(&data[0])) + rounded;
+    let pressed = towards_it.min(size_of(&data[0]) + beside);
     let data_r = rho_n * if OWN_DATA { pressed } else { size_of(&data[0]) };
     let shared = |data: f64| if OWN_DATA { 0.0 } else { data };
     let scales = Scales {

@@ -85,6 +85,25 @@ mod tests {
     }
 
     #[test]
+    fn friction_is_judged_however_large_its_coefficient_is() {
+        for mu in [1.0, 100.0, 1e6, 1e12, 1e15] {
+            // the impulse 1/μ bears a friction of 1 N·s, which slows the point of 1 kg from 2 to 1 m/s
+            let free = DVector::from_row_slice(&[-1.0 / mu, 0.0, 2.0]);
+            let problem = ContactProblem::new(DMatrix::identity(3, 3), free).friction(vec![mu]).build().expect("sizes fit");
+            let accepts = |impulse: [f64; 3]| {
+                let impulse = DVector::from_row_slice(&impulse);
+                let velocity = problem.velocity(&impulse);
+                by_contact(&problem, &Solution::new("by hand", impulse, velocity, 0)).expect("sizes fit")[0].accepts(CERTIFY)
+            };
+            assert!(accepts([1.0 / mu, 0.0, -1.0]), "{mu}");
+            let pressed = [1.0, 0.0, -0.5, -0.99].map(|friction| [1.0 / mu, 0.0, friction]);
+            for wrong in pressed.into_iter().chain([[0.0, 0.0, -1.0], [0.0; 3]]) {
+                assert!(!accepts(wrong), "{wrong:?} at {mu}");
+            }
+        }
+    }
+
+    #[test]
     fn a_stored_velocity_that_is_wrong_is_told_at_its_contact() {
         let (problem, right) = points();
         let impulse = DVector::from_row_slice(&right);

@@ -247,12 +247,20 @@ impl Scales {
     }
 }
 
-/// What the data q of a contact add to its s_n, s_r and s_t \[N·s\].
+/// What the data q of a contact add to its s_n, s_r and s_t \[N·s\], with their rounding.
+///
+/// The associated laws subtract μ‖q_t‖ from q_n, which rounds by 8ε of both. Of the others only q_n is asked, beside which 8ε‖q_t‖ is
+/// nothing; it counts with min(μ, 1/μ), so that the friction μ s_r that it excuses is rounding of the slip, however large μ is.
 fn of_data(law: Law, mu: f64, q: &[f64], [normal, tangential]: [f64; 2]) -> [f64; 3] {
-    let projected = PROJECTED * (q[0].abs() + mu * tangential_norm(q));
-    let data = closing(law, mu, q).abs() + projected;
-    let pressed = closing(law, mu, q).abs().min(q[0].abs()) + projected;
-    [normal * data, normal * pressed, tangential * tangential_norm(q)]
+    let slip = tangential_norm(q);
+    let rounded = |part: f64| PROJECTED * (q[0].abs() + part * slip);
+    let beside = rounded(mu.min(1.0 / mu));
+    let own = match law {
+        Law::Associated | Law::PolyhedralAssociated { .. } => rounded(mu),
+        _ => beside,
+    };
+    let data = closing(law, mu, q).abs() + own;
+    [normal * data, normal * data.min(q[0].abs() + beside), tangential * slip]
 }
 
 /// The velocity at which the data make the contact close \[m/s\]: q_n, reduced by the slip under the associated laws. Its rounding is 8ε of
