@@ -1,6 +1,7 @@
 //! `certify` and `Certificate`: how good an answer is, contact by contact.
 
 use crate::arrays::to_vector;
+use crate::away::{away, enter};
 use crate::errors::{IntoPython, invalid};
 use crate::problem::Problem;
 use crate::solution::Solution;
@@ -42,6 +43,7 @@ pub fn certify(
     velocity: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Certificate> {
     let (py, problem) = (impulse.py(), problem.get());
+    let _here = enter()?;
     let solution = match impulse.cast::<Solution>() {
         Ok(_) if velocity.is_some() => {
             return Err(invalid(py, "velocity", "is given beside a Solution, which has its own", "give solution.impulse and velocity"));
@@ -58,7 +60,7 @@ pub fn certify(
     };
     let tolerance = accepted(py, tolerance)?;
     let posed = problem.posed.clone();
-    py.detach(|| Certificate::of(posed, solution, tolerance)).python(py)
+    away(py, || Certificate::of(posed, solution, tolerance))?.python(py)
 }
 
 /// The tolerance that was asked for.
@@ -203,7 +205,7 @@ impl Certificate {
     /// Arrays of one entry per contact: `accepted`, each residual in its unit, and its relative size (`…_relative`).
     #[getter]
     fn contacts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let contacts = py.detach(|| self.each()).python(py)?;
+        let contacts = away(py, || self.each())?.python(py)?;
         let all = PyDict::new(py);
         let accepted: Vec<bool> = contacts.iter().map(|contact| contact.accepts(self.tolerance)).collect();
         all.set_item("accepted", numpy::PyArray1::from_vec(py, accepted))?;

@@ -1,5 +1,6 @@
 //! `claims` and `verify`: the sentences of the chapter as records, as JSON that Python reads.
 
+use crate::away::enter;
 use crate::errors::IntoPython;
 use crate::interrupt;
 use moreau::claims::{self as registry, Claim};
@@ -16,6 +17,7 @@ pub fn claims(py: Python<'_>) -> PyResult<String> {
 /// These claims judged now, a JSON list; ids or groups.
 #[pyfunction]
 pub fn verify(py: Python<'_>, names: Vec<String>) -> PyResult<String> {
+    let _here = enter()?;
     let mut asked: Vec<&'static Claim> = Vec::new();
     for name in &names {
         let found: Vec<_> = match registry::find(name) {

@@ -1,5 +1,6 @@
 //! An engine that is a Python class, asked in this process by the messages of `moreau-engine/1`.
 
+use delegate::delegate;
 use moreau::Result;
 use moreau::gate::process::messages::{self, Answer, Question, Request};
 use moreau::gate::{Description, Engine, Options, Refusal, Reply};
@@ -68,33 +69,25 @@ pub struct Stoppable {
 }
 
 impl Stoppable {
-    fn ask<T>(&mut self, question: impl FnOnce(&mut dyn Engine) -> Reply<T>) -> Reply<T> {
+    fn allowed(&mut self) -> Reply<&mut dyn Engine> {
         match self.stopped.load(Ordering::Relaxed) {
             true => Err(Refusal::errored("the run was interrupted")),
-            false => question(self.engine.as_mut()),
+            false => Ok(self.engine.as_mut()),
         }
     }
 }
 
 impl Engine for Stoppable {
-    fn describe(&mut self, options: &Options) -> Reply<Description> {
-        self.ask(|engine| engine.describe(options))
-    }
-
-    fn simulate(&mut self, scene: &Scene, time_step: f64, sample_every: usize, options: &Options) -> Reply<Trajectory> {
-        self.ask(|engine| engine.simulate(scene, time_step, sample_every, options))
-    }
-
-    fn solve(&mut self, problem: &ContactProblem, options: &Options) -> Reply<Solution> {
-        self.ask(|engine| engine.solve(problem, options))
-    }
-
-    fn project(&mut self, friction: f64, points: &[Vec<f64>], options: &Options) -> Reply<Vec<Vec<f64>>> {
-        self.ask(|engine| engine.project(friction, points, options))
-    }
-
-    fn in_conversation(&self) -> bool {
-        self.engine.in_conversation()
+    delegate! {
+        to self.allowed()? {
+            fn describe(&mut self, options: &Options) -> Reply<Description>;
+            fn simulate(&mut self, scene: &Scene, time_step: f64, sample_every: usize, options: &Options) -> Reply<Trajectory>;
+            fn solve(&mut self, problem: &ContactProblem, options: &Options) -> Reply<Solution>;
+            fn project(&mut self, friction: f64, points: &[Vec<f64>], options: &Options) -> Reply<Vec<Vec<f64>>>;
+        }
+        to self.engine {
+            fn in_conversation(&self) -> bool;
+        }
     }
 }
 

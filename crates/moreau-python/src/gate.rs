@@ -1,5 +1,6 @@
 //! `gate` and `checks`: an engine that is a Python class, or a command, through the checks.
 
+use crate::away::enter;
 use crate::engine::{PythonEngine, Shared, Stoppable};
 use crate::errors::{IntoPython, invalid};
 use crate::interrupt;
@@ -61,6 +62,7 @@ pub fn gate(
     probes: bool,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Report> {
+    let _here = enter()?;
     let checks = names.iter().map(|name| registry::find(name).ok_or_else(|| unknown(py, name))).collect::<PyResult<Vec<_>>>()?;
     let options: Options = serde_json::from_str(options).map_err(moreau::Error::Json).python(py)?;
     let limits =

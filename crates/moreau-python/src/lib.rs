@@ -8,6 +8,7 @@
 //! mathematics: everything it answers is the answer of the crates below.
 
 mod arrays;
+mod away;
 mod certificate;
 mod claims;
 mod engine;
@@ -28,6 +29,8 @@ mod _native {
     use pyo3::prelude::*;
 
     #[pymodule_export]
+    use super::away::close;
+    #[pymodule_export]
     use super::certificate::{Certificate, certify};
     #[pymodule_export]
     use super::claims::{claims, verify};
@@ -44,8 +47,8 @@ mod _native {
 
     /// Runs the command `moreau` with these arguments, the first of which is its name, and returns its exit code.
     #[pyfunction]
-    fn command(py: Python<'_>, arguments: Vec<String>) -> u8 {
-        py.detach(|| moreau::cli::run_with(arguments))
+    fn command(py: Python<'_>, arguments: Vec<String>) -> PyResult<u8> {
+        crate::away::away(py, || moreau::cli::run_with(arguments))
     }
 
     /// Sets how many bytes one computation may take; what needs more is refused before it is begun.

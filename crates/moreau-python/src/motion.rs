@@ -1,6 +1,7 @@
 //! `simulate` and `Motion`: a scene through a scheme, as arrays.
 
 use crate::arrays::{to_rows, to_vector};
+use crate::away::{away, enter};
 use crate::certificate::accepted;
 use crate::errors::{IntoPython, invalid, rejected};
 use crate::interrupt;
@@ -35,6 +36,7 @@ pub fn simulate(
     accept_rejected: bool,
     options: Vec<String>,
 ) -> PyResult<Py<Motion>> {
+    let _here = enter()?;
     let (name, given) = match scene.cast::<PyDict>() {
         Ok(dict) => (String::new(), Some(text_of(dict)?)),
         Err(_) if scene.is_instance_of::<PyString>() => (scene.extract::<String>()?, None),
@@ -182,7 +184,7 @@ impl Motion {
     /// Writes a trajectory/1, whole or not at all.
     fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
         let text = self.to_json(py)?;
-        py.detach(|| files::write_atomically(&file, text.as_bytes())).python(py)
+        away(py, || files::write_atomically(&file, text.as_bytes()))?.python(py)
     }
 
     fn __repr__(&self) -> String {

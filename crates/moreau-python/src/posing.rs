@@ -5,6 +5,7 @@
 //! ```
 
 use crate::arrays::{Matrix, column, matrix, number, vector};
+use crate::away::{away, enter};
 use crate::errors::{IntoPython, invalid};
 use crate::problem::Problem;
 use moreau::problem::{ContactProblem, ContactProblemBuilder, Law, Posed};
@@ -38,6 +39,7 @@ pub struct Arguments<'a, 'py> {
 /// `InvalidInput` names the argument.
 pub fn pose(arguments: &Arguments) -> PyResult<Problem> {
     let py = arguments.operator.py();
+    let _here = enter()?;
     let law = law_of(py, arguments.law, arguments.directions)?;
     let free = vector(arguments.u_free, "u_free")?;
     let (rows, operator) = (free.len(), Operator::of(arguments.operator)?);
@@ -52,7 +54,7 @@ pub fn pose(arguments: &Arguments) -> PyResult<Problem> {
     let shift = arguments.shift.map(|shift| vector(shift, "shift")).transpose()?;
     let name = arguments.name;
     memory::require("posing this problem", operator.bytes(free.len())).python(py)?;
-    let built = py.detach(|| {
+    let built = away(py, || {
         let begun = operator.begin(per_contact)?.free_velocity(column(free)).rows_per_contact(per_contact);
         let begun = begun.law(law).friction(friction).name(name);
         match shift {
@@ -60,7 +62,7 @@ pub fn pose(arguments: &Arguments) -> PyResult<Problem> {
             None => begun.build(),
         }
     });
-    built.map_err(renamed).python(py).map(|problem| Problem::from(Posed::Contacts(Box::new(problem))))
+    built?.map_err(renamed).python(py).map(|problem| Problem::from(Posed::Contacts(Box::new(problem))))
 }
 
 /// A law by its name in files.

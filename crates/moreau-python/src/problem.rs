@@ -1,6 +1,7 @@
 //! `Problem`: W, u_free, μ and the law, from arrays or from a file.
 
 use crate::arrays::{column, to_matrix, to_vector, vector};
+use crate::away::away;
 use crate::errors::{IntoPython, invalid};
 use crate::posing::{Arguments, law_of, pose};
 use moreau::cli::posed;
@@ -57,13 +58,13 @@ impl Problem {
     /// Reads a file: contact-problem/1, lcp/1, .dat of Siconos, or HDF5 of FCLIB.
     #[staticmethod]
     fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
-        py.detach(|| Posed::read(&file)).python(py).map(Problem::from)
+        away(py, || Posed::read(&file))?.python(py).map(Problem::from)
     }
 
     /// Reads the text of a contact-problem/1 or an lcp/1.
     #[staticmethod]
     fn from_json(py: Python<'_>, text: &str) -> PyResult<Self> {
-        py.detach(|| Posed::from_json(text)).python(py).map(Problem::from)
+        away(py, || Posed::from_json(text))?.python(py).map(Problem::from)
     }
 
     /// The text of a contact-problem/1.
@@ -76,7 +77,7 @@ impl Problem {
 
     /// Writes a contact-problem/1, whole or not at all.
     fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
-        py.detach(|| files::write_atomically(&file, self.to_json().as_bytes())).python(py)
+        away(py, || files::write_atomically(&file, self.to_json().as_bytes()))?.python(py)
     }
 
     /// The same data under another law.

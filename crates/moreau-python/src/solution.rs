@@ -1,6 +1,7 @@
 //! `solve` and `Solution`: impulses and velocities with their certificate.
 
 use crate::arrays::to_vector;
+use crate::away::{away, enter};
 use crate::certificate::{Certificate, accepted};
 use crate::errors::{IntoPython, invalid, rejected};
 use crate::interrupt;
@@ -50,6 +51,7 @@ pub fn solve(
     warm_start: Option<&Bound<'_, PyAny>>,
     accept_rejected: bool,
 ) -> PyResult<Py<Solution>> {
+    let _here = enter()?;
     let made;
     let problem = match (W.cast::<Problem>(), u_free) {
         (Ok(problem), None) if mu.is_none() && shift.is_none() && directions.is_none() && law.is_none() => problem.get(),
@@ -79,7 +81,7 @@ pub fn solve(
     }
     let (posed, size) = (problem.posed.clone(), posed::constraints(&problem.posed));
     let found = if 3 * size < LONG {
-        py.detach(|| proved(&posed, &*asked, start.as_ref(), accepts, accept_rejected, solver))
+        away(py, || proved(&posed, &*asked, start.as_ref(), accepts, accept_rejected, solver))?
     } else {
         let interrupt = Interrupt::default();
         let (posed, solver, stop) = (problem.posed.clone(), solver.to_string(), interrupt.clone());
@@ -155,7 +157,7 @@ fn start_of(problem: &Problem, start: &Bound<'_, PyAny>) -> PyResult<DVector<f64
 #[pyfunction]
 pub fn seconds_of(py: Python<'_>, problem: &Bound<'_, Problem>, times: usize) -> PyResult<f64> {
     let posed = problem.get().posed.clone();
-    py.detach(|| {
+    away(py, || {
         let Posed::Contacts(problem) = &*posed else { return Err(Error::Unsupported("has joints".into())) };
         let solver = asked("auto", None, None)?;
         let begin = std::time::Instant::now();
@@ -166,7 +168,7 @@ pub fn seconds_of(py: Python<'_>, problem: &Bound<'_, Problem>, times: usize) ->
             std::hint::black_box(certificate.accepts());
         }
         Ok(begin.elapsed().as_secs_f64())
-    })
+    })?
     .python(py)
 }
 
@@ -237,7 +239,7 @@ impl Solution {
 
     /// Writes a solution/1, whole or not at all.
     fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
-        py.detach(|| files::write_atomically(&file, self.to_json().as_bytes())).python(py)
+        away(py, || files::write_atomically(&file, self.to_json().as_bytes()))?.python(py)
     }
 
     /// The answer of a text solution/1, certified.
@@ -261,12 +263,12 @@ impl Solution {
     #[pyo3(signature = (file, problem, *, tolerance = None))]
     fn read(py: Python<'_>, file: PathBuf, problem: &Bound<'_, Problem>, tolerance: Option<f64>) -> PyResult<Self> {
         let (posed, tolerance) = (problem.get().posed.clone(), accepted(py, tolerance)?);
-        let found = py.detach(|| {
+        let found = away(py, || {
             let solution = Arc::new(moreau::Solution::read_posed(&file, &posed)?);
             let certificate = Certificate::of(posed.clone(), solution.clone(), tolerance)?;
             Ok((solution, certificate))
         });
-        let (solution, certificate) = found.python(py)?;
+        let (solution, certificate) = found?.python(py)?;
         Ok(Solution { posed, solution, certificate: Py::new(py, certificate)? })
     }
 

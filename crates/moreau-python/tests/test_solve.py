@@ -4,6 +4,8 @@ import json
 import os
 import pickle
 import signal
+import subprocess
+import sys
 import threading
 import time
 
@@ -189,6 +191,18 @@ def test_answers_and_errors_are_sent_to_other_processes():
         assert type(sent) is type(error) and str(sent) == "no" and sent.__dict__.keys() == error.__dict__.keys()
     with pytest.raises(mc.InvalidInput, match="velocity"):
         mc.certify(answer.problem, answer, velocity=[9, 9])
+
+
+@pytest.mark.parametrize("call", ["mc.solve(np.eye(30) + 0.1, -np.ones(30), 0.5)", "mc.simulate('box-stack', step=0.001)"])
+def test_python_ends_in_order_while_a_thread_is_in_a_call(call):
+    script = (
+        "import threading, time, numpy as np, moreau_contact as mc\n"
+        f"def loop():\n    while True: {call}\n"
+        "threading.Thread(target=loop, daemon=True).start(); time.sleep(0.5); print('ended')"
+    )
+    for _ in range(3):
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
+        assert (done.returncode, done.stdout, done.stderr) == (0, "ended\n", ""), done.stderr
 
 
 def test_ctrl_c_ends_a_long_solve_at_once():

@@ -9,11 +9,17 @@
 All quantities are in SI units; rows stand contact by contact as normal, tangent₁, tangent₂. The package `moreau` of the
 package index is another project, a conic optimiser; this one is imported as `moreau_contact`.
 """
+import atexit
+
+from . import _native
 from ._api import certify, claims, scenes, simulate, solve, solvers, verify
 from ._engine import serve
 from ._errors import EngineError, FileError, InvalidInput, MoreauError, Rejected, SolverError, Unsupported
 from ._gate import QUICK, SWEEP, checks, gate, protocol_check
 from ._native import Certificate, Motion, Problem, Report, Solution, __version__, set_memory_limit
+
+# a thread that is in a call when Python ends would end Python with it
+atexit.register(_native.close)
 
 __all__ = [
     "Certificate", "EngineError", "FileError", "InvalidInput", "MoreauError", "Motion", "Problem", "QUICK", "Rejected", "Report", "SWEEP",
