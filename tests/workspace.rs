@@ -55,8 +55,17 @@ fn every_crate_test_program_and_documentation_is_run_by_cargo_test() {
     let packages = metadata["packages"].as_array().expect("a list").iter().filter(|package| package["name"] != "moreau-python");
     let packages: Vec<_> = packages.collect();
     let names: BTreeSet<&str> = packages.iter().map(|package| package["name"].as_str().expect("a name")).collect();
-    let expected =
-        ["moreau", "moreau-checks", "moreau-contact", "moreau-dynamics", "moreau-exact", "moreau-forms", "moreau-gate", "moreau-replicas"];
+    let expected = [
+        "moreau",
+        "moreau-checks",
+        "moreau-contact",
+        "moreau-dynamics",
+        "moreau-exact",
+        "moreau-forms",
+        "moreau-gate",
+        "moreau-replicas",
+        "moreau-site",
+    ];
     assert_eq!(names, BTreeSet::from(expected));
     let (run, left): (Vec<_>, Vec<_>) = packages.iter().map(|package| targets(package)).unzip();
     let (run, left) = (run.concat(), left.concat());

@@ -43,8 +43,8 @@ impl File {
 }
 
 /// The crates of the workspace below the top one, in the order of their arrows.
-const ROOMS: [&str; 7] =
-    ["moreau-exact", "moreau-forms", "moreau-contact", "moreau-dynamics", "moreau-checks", "moreau-replicas", "moreau-gate"];
+const ROOMS: [&str; 8] =
+    ["moreau-exact", "moreau-forms", "moreau-contact", "moreau-dynamics", "moreau-checks", "moreau-replicas", "moreau-gate", "moreau-site"];
 
 /// The folder of a crate: in the workspace, or beside the unpacked archive of the top one.
 fn folder(room: &str) -> PathBuf {
