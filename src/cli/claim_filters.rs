@@ -110,14 +110,6 @@ impl Filters {
         self.verdict.is_none_or(|verdict| claim.verdict == verdict)
             && self.severity.is_none_or(|severity| claim.severity == Some(severity))
             && self.kind.is_none_or(|kind| claim.kind == kind)
-            && self.search.as_ref().is_none_or(|words| has_words(claim, words))
+            && self.search.as_ref().is_none_or(|words| claims::has_words(claim, words))
     }
-}
-
-/// Whether a claim has all of these words.
-fn has_words(claim: &Claim, words: &str) -> bool {
-    let places = claim.sources.iter().copied();
-    let text: Vec<&str> = [claim.id, claims::title(claim.id), claim.statement, claim.correct_statement].into_iter().chain(places).collect();
-    let text = text.join(" ").to_lowercase();
-    words.to_lowercase().split_whitespace().all(|word| text.contains(word))
 }

@@ -32,7 +32,7 @@ mod problem_law;
 mod problems;
 pub mod progress;
 mod protocol_check;
-mod remarks;
+pub mod remarks;
 mod residual_names;
 mod scene;
 mod schema;
