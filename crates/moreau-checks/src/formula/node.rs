@@ -13,6 +13,8 @@ pub(super) enum Class {
     Function,
     /// An operator between two operands.
     Binary,
+    /// A sign of a product or quotient, which stands without spaces.
+    Tight,
     /// A relation.
     Relation,
     /// An opening bracket.
@@ -188,13 +190,11 @@ fn bracket(ty: pulldown_latex::event::DelimiterType) -> Class {
     }
 }
 
-/// Dot and cross of a product and the stroke of a quotient stand without spaces.
 fn binary(sign: char) -> (String, Class) {
     match sign {
-        '⋅' => ("·".into(), Class::Ordinary),
-        '×' => ("×".into(), Class::Ordinary),
-        '/' => ("/".into(), Class::Ordinary),
-        '∗' => ("*".into(), Class::Ordinary),
+        '⋅' => ("·".into(), Class::Tight),
+        '×' | '/' => (sign.into(), Class::Tight),
+        '∗' => ("*".into(), Class::Tight),
         other => (other.into(), Class::Binary),
     }
 }
