@@ -5,7 +5,8 @@ use super::{Claim, title};
 /// Whether a claim has all of these words, in any case: in its id, its title, its statement, its correction or its sources.
 pub fn has_words(claim: &Claim, words: &str) -> bool {
     let places = claim.sources.iter().copied();
-    let text: Vec<&str> = [claim.id, title(claim.id), claim.statement, claim.correct_statement].into_iter().chain(places).collect();
+    let (statement, correct) = (claim.statement(), claim.correct_statement());
+    let text: Vec<&str> = [claim.id, title(claim.id), &statement, &correct].into_iter().chain(places).collect();
     let text = text.join(" ").to_lowercase();
     words.to_lowercase().split_whitespace().all(|word| text.contains(word))
 }

@@ -85,7 +85,8 @@ impl Filters {
         }
         let chosen: Vec<_> = in_group.into_iter().filter(|claim| self.is_met(claim)).collect();
         if let (true, Some(words)) = (chosen.is_empty(), &self.search) {
-            let all = claims::all().flat_map(|claim| claim.statement.split(|letter: char| !letter.is_alphanumeric()));
+            let statements: Vec<String> = claims::all().map(Claim::statement).collect();
+            let all = statements.iter().flat_map(|statement| statement.split(|letter: char| !letter.is_alphanumeric()));
             let cure = suggestion(words, all, "try a part of a word, or fewer words");
             return Err(Error::Unsupported(format!("--search {words}: no claim has these words; {cure}")));
         }
