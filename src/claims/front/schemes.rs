@@ -51,7 +51,7 @@ pub const PREFACE: &[Claim] = &[
             against the closed forms. Engines themselves are not run here.",
         controls: &[
             "The contact with the matched damping ratio in the place of the critically damped one.",
-            r"The damping ratio of a spring that may pull, −ln $e/\sqrt{\pi^2 + \ln^2 e}$, as if it were the matched one.",
+            r"The damping ratio of a spring that may pull, $-\ln e/\sqrt{\pi^2 + \ln^2 e}$, as if it were the matched one.",
             "A plastic rigid ball.",
         ],
         sources: &["chapter, cumulative project, comparison experiment"],

@@ -60,7 +60,7 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S0.delassus-ij",
-        statement: r"$W = J\,M^{-1}J^T$: entry ij is the velocity change at contact j caused by a unit impulse at contact i.",
+        statement: r"$W = J\,M^{-1}J^T$: entry $ij$ is the velocity change at contact $j$ caused by a unit impulse at contact $i$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,

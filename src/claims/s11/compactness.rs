@@ -101,7 +101,7 @@ pub const CLAIMS: &[Claim] = &[
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: r"As stated: $(1 + e)\,m\,|v|$ in every window around the impact, however narrow.",
-        argument: r"Moreau–Jean on the wall, $e = \tfrac12$: the impulse within $2h$ of ⅓ s is $3/2\,N\,s$ for $h = 2^{-4}$ … $2^{-8}$,
+        argument: r"Moreau–Jean on the wall, $e = \tfrac12$: the impulse within $2h$ of ⅓ s is 3/2 N s for $h = 2^{-4}$ … $2^{-8}$,
             that within $2h$ of ¾ s is 0.",
         controls: &["The two windows exchanged."],
         sources: &["chapter §11, step 3"],

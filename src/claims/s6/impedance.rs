@@ -150,7 +150,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: r"As stated: $a = (A\,a_\text{ref} + R\,a_u)/(A + R)$ moves from $a_\text{ref}$ at $R = 0$ monotonically
             towards the free acceleration.",
         argument: r"$A = 1$, $a_\text{ref} = 5$, $a_u = -10$: $a = 5$ at $R = 0$, −5/2 at $R = 1$, 15/15001 above −10 at $R = 15000$;
-            da/$dR = A\,(a_u - a_\text{ref})/(A + R)^2$ by dual numbers.",
+            $da/dR = A\,(a_u - a_\text{ref})/(A + R)^2$ by dual numbers.",
         controls: &[r"A row that wants $a_\text{ref} = a_u$, where $R$ changes nothing."],
         sources: &["chapter §6, step 1", MODEL],
         check: check!(softness),

@@ -69,7 +69,7 @@ pub const CLAIMS: &[Claim] = &[
         severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated, for the undamped spring that it names.",
-        argument: r"Eigenvalues $1 \pm i\,s$: $\operatorname{trace} 2$ and determinant $1 + s^2$ exactly. At $\zeta = 3/10$ steps below
+        argument: r"Eigenvalues $1 \pm i\,s$: trace 2 and determinant $1 + s^2$ exactly. At $\zeta = 3/10$ steps below
             $s = 2\zeta$ are stable: $|G|^2 = 0.9941$ at 0.59 and 1.0061 at 0.61.",
         controls: &[r"The spring with $\zeta = 3/10$ at $s = 1/2$."],
         sources: &["chapter §8, example on stability bounds"],

@@ -47,7 +47,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: r"As stated: $\det D = e^2$ for every number of coordinates, curved walls and constant forces. $J^{-1}D^TJD$
             has the eigenvalues $e^2$, $e^2$, 1, 1, …: with one coordinate the form is scaled by $e^2$, with more it is not.",
         argument: r"Impact on the disk as in S8.activation-not-diffeo, $e = 4/5$: $\det D = 16/25$, in space on the sphere too;
-            $A = J^{-1}D^TJD$ has $\operatorname{trace} 2 + 2e^2$ and $(A - I)(A - e^2I) = 0$, $A \ne e^2I$, exactly. Ball on the floor:
+            $A = J^{-1}D^TJD$ has trace $2 + 2e^2$ and $(A - I)(A - e^2I) = 0$, $A \ne e^2I$, exactly. Ball on the floor:
             $D^TJD = e^2J$.",
         controls: &[r"$e = 1$, which keeps the form.", r"A body that slides with friction, $\mu = 1/2$, across the disk."],
         sources: &["chapter §8, the negative result"],

@@ -33,7 +33,7 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: r"As stated, of the moduli of the eigenvalues: the step matrix has $\operatorname{trace} 2 - s^2$ and
+        correct_statement: r"As stated, of the moduli of the eigenvalues: the step matrix has trace $2 - s^2$ and
             determinant 1. At $s = 2$ the powers grow all the same (S8.semi-bound).",
         argument: r"Determinant 1 and $|2 - s^2| \le 2$ iff $s \le 2$. Decided in rationals at $s = 1/1000$, 1, $2 - 10^{-6}$, 2 and
             $2 + 10^{-6}$.",

@@ -28,7 +28,7 @@ pub const CLAIMS: &[Claim] = &[
             $4\alpha h + \beta^2h^2 < 4$: above that the violation grows.",
         argument: r"Roots $-\alpha \pm \sqrt{\alpha^2 - \beta^2}$. From $\dot\varphi = 0$ and $\beta = 5/s$, $\varphi$ crosses zero nine
             times in 10 s for $\alpha = 4/s$ and never in 2 s for $\alpha = 6/s$, and stays below its envelope. The step has determinant
-            $1 - 2\alpha h$ and $\operatorname{trace} 2 - 2\alpha h - \beta^2h^2$: for $2\alpha h = 1$, $\beta^2h^2 = 2 - 10^{-6}$ decays
+            $1 - 2\alpha h$ and trace $2 - 2\alpha h - \beta^2h^2$: for $2\alpha h = 1$, $\beta^2h^2 = 2 - 10^{-6}$ decays
             and 2 does not.",
         controls: &[r"The equation without damping, $\alpha = 0$, in place of $\alpha = 4/s$.", "The sign of the damping wrong."],
         sources: &["chapter §9, constraint drift, (1)", "Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1"],
@@ -80,7 +80,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: r"As stated: two multipliers per constraint in place of one. It is not free of numerical damping: with the
             implicit Euler rule a point on a circle keeps $1/(1 + n\,h^2v^2/R^2)$ of its energy, exactly what coordinate projection
             leaves.",
-        argument: r"Circle, $hv/R = 1/100$: after 1000 steps $\varphi$ and Gv are at rounding and $E/E_0 = 1/1.1$. The bias has
+        argument: r"Circle, $hv/R = 1/100$: after 1000 steps $\varphi$ and $Gv$ are at rounding and $E/E_0 = 1/1.1$. The bias has
             $\varphi = \text{2.5e-4}\,R$ instead, and no stabilisation $|q| = 1.047\,R$.",
         controls: &[r"The bias with $\mathrm{ERP} = 0.2$."],
         sources: &["chapter §9, constraint drift, (2) and table", "Gear, Leimkuhler and Gupta, J. Comput. Appl. Math. 12–13 (1985) 77"],

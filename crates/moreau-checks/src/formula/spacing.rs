@@ -8,7 +8,7 @@ pub(super) fn spaced(signs: &[(String, Class)]) -> String {
     let mut line = String::new();
     let mut before: Option<Class> = None;
     for (sign, class) in signs {
-        let class = if *class == Class::Binary && !ends_an_operand(before) { Class::Ordinary } else { *class };
+        let class = if *class == Class::Binary && !ends_an_operand(before) { Class::Tight } else { *class };
         if before.is_some_and(|before| apart(before, class)) && !(before == Some(Class::Function) && sign.starts_with(['|', '‖'])) {
             line.push(' ');
         }
