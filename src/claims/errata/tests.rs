@@ -41,17 +41,19 @@ fn plain(text: &str) -> String {
     Regex::new(r"\\frac\{(\d+)\}\{(\d+)\}").expect("a pattern").replace_all(&plain, " $1/$2 ").into_owned()
 }
 
+fn shortened(number: &str) -> &str {
+    if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.') } else { number }
+}
+
 /// The numbers of a text, each with the zeros at its end cut off: fractions whole, exponents and indices alone, the base of a power of ten
 /// not at all.
 fn numbers(text: &str) -> BTreeSet<String> {
-    let pattern = Regex::new(r"(?:\b10)?[\^_]\{?[-−]?(\d+)|(\d+(?:\.\d+)?)(/\d+)?").expect("a pattern");
-    let shortened =
-        |number: &str| if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.').into() } else { number.into() };
+    let pattern = Regex::new(r"(?:\b10)?[\^_]\{?[-−]?(\d+)|(\d+(?:\.\d+)?)(/\d+(?:\.\d+)?)?").expect("a pattern");
     let mut numbers = BTreeSet::new();
     for found in pattern.captures_iter(&plain(text)) {
         let below = found.get(3).map_or("", |below| below.as_str());
         numbers.extend(found.get(1).map(|power| power.as_str().to_owned()));
-        numbers.extend(found.get(2).map(|number| shortened(number.as_str()) + below));
+        numbers.extend(found.get(2).map(|number| shortened(number.as_str()).to_owned() + below));
     }
     numbers
 }
