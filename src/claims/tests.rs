@@ -42,10 +42,12 @@ fn every_formula_is_written_for_the_terminal_and_for_a_page() {
 #[test]
 fn no_formula_stands_where_nothing_reads_it() {
     let read: usize = texts().iter().map(|(_, text)| formulas(text).expect("every text can be read").len()).sum();
-    let marks: usize = sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src/claims"))
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/claims");
+    let marks: usize = sources(&root)
         .iter()
+        .filter(|path| path.parent() != Some(&root) || path.ends_with("titles.toml"))
         .map(|path| std::fs::read_to_string(path).expect("a text"))
-        .filter(|text| text.contains("pub const CLAIMS: &[Claim]") || text.starts_with("# A short title"))
+        .filter(|text| text.contains("correct_statement:") || text.starts_with("# A short title"))
         .map(|text| text.matches('$').count())
         .sum();
     assert_eq!(2 * read, marks, "a dollar sign of src/claims is in no text of a claim");
