@@ -125,3 +125,28 @@ fn size(shape: Shape) -> Vec<f64> {
         Shape::Box { half_extents: [x, _, z] } => vec![x, z],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn every_point_of_the_grid_has_its_run_and_what_does_not_act_is_computed_once() {
+        for entry in &SCENES {
+            let (jobs, choices) = (jobs(entry).expect("a scene"), entry.choices());
+            let told: BTreeSet<_> = jobs.iter().flat_map(|job| &job.points).map(|(key, _)| key.clone()).collect();
+            assert_eq!(told, choices.iter().map(Choice::key).collect(), "{}", entry.id);
+            assert_eq!(jobs.iter().map(|job| job.points.len()).sum::<usize>(), choices.len(), "{}", entry.id);
+            // e acts in Moreau–Jean alone: three values of θ, and four schemes that take e = 0
+            let expected = 3 * entry.friction.len() * (3 * entry.restitution.len() + 4);
+            assert_eq!(jobs.len(), expected, "{}", entry.id);
+        }
+        let noted = jobs(&SCENES[0]).expect("the ball");
+        let notes = |scheme: &str| {
+            let points = noted.iter().filter(|job| job.choice.scheme == scheme).flat_map(|job| &job.points);
+            points.filter(|(_, note)| note.is_some()).count()
+        };
+        assert_eq!((notes("anitescu"), notes("moreau-jean")), (9, 0), "a scheme without restitution says so where e > 0");
+    }
+}

@@ -139,7 +139,8 @@ const moreauDraw = (() => {
     (marks || []).forEach((verdict, k) => {
       if (verdict < 2) return;
       const x = at(k).toFixed(1);
-      make(svg, "path", { d: verdict === 3 ? `M${x} ${top}l-4 -7h8z` : `M${x} ${top}l-4 -4l4 -4l4 4z`, class: verdict === 3 ? "bad" : "open" });
+      const [shape, kind] = verdict === 3 ? ["l-4 -7h8z", "bad"] : ["l-4 -4l4 -4l4 4z", "open"];
+      make(svg, "path", { d: `M${x} ${top}${shape}`, class: kind });
     });
     const cursor = make(svg, "line", { x1: left, x2: left, y1: top, y2: bottom, class: "cursor" });
     return (k) => { const x = at(k).toFixed(1); cursor.setAttribute("x1", x); cursor.setAttribute("x2", x); };

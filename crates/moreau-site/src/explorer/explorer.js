@@ -69,8 +69,8 @@
   };
   const ranges = (runs) => {
     const range = (name) => {
-      const all = runs.map((run) => run[name].reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)], [Infinity, -Infinity]));
-      const [low, high] = [Math.min(...all.map(([low]) => low)), Math.max(...all.map(([, high]) => high))];
+      const [low, high] = runs.flatMap((run) => run[name])
+        .reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)], [Infinity, -Infinity]);
       return high > low ? [low, high] : [low - 0.5, high + 0.5];
     };
     return { gap: range("gap"), energy: range("energy"), room: moreauDraw.room(runs) };
@@ -118,8 +118,8 @@
     const [kind, words] = verdict(run, k), line = $(`${panel}-certificate`);
     line.textContent = words;
     line.className = `certificate ${kind}`;
-    const list = numbers(run, k).flatMap(([name, value]) => [["dt", name], ["dd", value]]);
-    $(`${panel}-numbers`).replaceChildren(...list.map(([kind, text]) => Object.assign(document.createElement(kind), { textContent: text })));
+    const item = (kind, text) => Object.assign(document.createElement(kind), { textContent: text });
+    $(`${panel}-numbers`).replaceChildren(...numbers(run, k).flatMap(([name, value]) => [item("dt", name), item("dd", value)]));
   };
   const when = () => `t = ${plain(state.sample * state.h)} s, ${texts.step} ${state.sample}${texts.stepEnd} ${texts.of} ${state.last}`;
   // what is read aloud: not while it plays
@@ -193,7 +193,9 @@
   $("choice").addEventListener("submit", (event) => event.preventDefault());
   $("choice").addEventListener("change", (event) => {
     if (event.target === $("scene") || event.target === $("scheme")) offerAll();
-    state.sample = event.target === $("step") ? Math.round(state.sample * state.h / stepOf($("step").value)) : event.target === $("scene") ? 0 : state.sample;
+    // another step keeps the time, another scene starts anew
+    if (event.target === $("step")) state.sample = Math.round(state.sample * state.h / stepOf($("step").value));
+    if (event.target === $("scene")) state.sample = 0;
     choose();
   });
   const stepOf = (text) => text.split("/").map(Number).reduce((a, b) => a / b);

@@ -113,7 +113,7 @@ pub const SCENES: [SceneEntry; 5] = [
         id: "rod",
         name: Words { en: "Sliding rod", zh: "滑动的杆" },
         about: Words {
-            en: "A rod of 1 m and 1 kg leans at 60° and slides with its lower end ahead of it at 2 m/s; above μ = 4/3 it can jam (Painlevé).",
+            en: "A rod of 1 m and 1 kg leans at 60° and slides at 2 m/s with its lower end ahead; above μ = 4/3 it can jam (Painlevé).",
             zh: "1 m、1 kg 的杆以 60° 倾角、2 m/s 的速度下端朝前滑动;μ 大于 4/3 时可能卡死(Painlevé)。",
         },
         friction: &[0.0, 0.3, 1.5],

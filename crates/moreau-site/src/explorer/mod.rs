@@ -29,7 +29,7 @@ pub use code::{DECIMALS, decode, fixed, residual};
 pub use data::{Stored, stored};
 pub use grid::{Choice, SCENES, SCHEMES, STEPS, SceneEntry, SchemeEntry};
 pub use run::{Run, Slot, WIDTHS, compute, posed, unwound};
-pub use view::{STYLE, TITLE, content, page};
+pub use view::{TITLE, content, page};
 
 use moreau_exact::Result;
 use std::collections::BTreeMap;
