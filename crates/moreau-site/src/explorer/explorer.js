@@ -57,8 +57,8 @@
   // The panels.
   const command = (panel) => {
     const id = scheme(panel), { h, theta, mu, e } = parameters(id), file = `${scene().id}-mu${mu}-e${e}.json`;
-    const option = theta === undefined ? "" : ` --theta ${theta}`;
-    $(`${panel}-command`).textContent = `moreau simulate --scene ${file} --scheme ${id} --step ${h}${option} --out run.json`;
+    const more = [theta === undefined ? "" : `--theta ${theta}`, entry(id).options, "--out run.json"].filter(Boolean).join(" ");
+    $(`${panel}-command`).textContent = `moreau simulate --scene ${file} --scheme ${id} --step ${h} ${more}`;
     $(`${panel}-scene`).href = `${folder}${file}`;
   };
   const refuse = (panel, text) => {

@@ -4,6 +4,7 @@ use crate::Words;
 use moreau_dynamics::scenes::{Body, Scene, named};
 use moreau_dynamics::schemes::Scheme;
 use moreau_exact::{Error, Result};
+use moreau_replicas::mujoco::{Cone, Mujoco};
 use moreau_replicas::schemes::{SchemeParameters, by_name};
 use std::f64::consts::FRAC_PI_3;
 
@@ -32,6 +33,8 @@ pub struct SchemeEntry {
     pub law: Words,
     /// The values of θ; empty where the scheme has none.
     pub theta: &'static [f64],
+    /// What it is given on the command line in every run.
+    pub options: &'static [&'static str],
 }
 
 /// One point of the grid: what a run is made of.
@@ -61,30 +64,35 @@ pub const SCHEMES: [SchemeEntry; 5] = [
         name: Words { en: "Moreau–Jean", zh: "Moreau–Jean" },
         law: Words { en: "Coulomb’s law, with restitution", zh: "库仑定律,含恢复系数" },
         theta: &[0.5, 0.75, 1.0],
+        options: &[],
     },
     SchemeEntry {
         id: "stewart-trinkle",
         name: Words { en: "Stewart–Trinkle", zh: "Stewart–Trinkle" },
         law: Words { en: "Coulomb’s law over a polyhedral cone", zh: "多面体锥上的库仑定律" },
         theta: &[],
+        options: &[],
     },
     SchemeEntry {
         id: "anitescu",
         name: Words { en: "Anitescu", zh: "Anitescu" },
         law: Words { en: "associated law, convex", zh: "关联定律,凸" },
         theta: &[],
+        options: &[],
     },
     SchemeEntry {
         id: "drake-sap",
         name: Words { en: "SAP (replica of Drake’s step)", zh: "SAP(Drake 步的复刻)" },
         law: Words { en: "associated law, compliant and regularised", zh: "关联定律,柔性并正则化" },
         theta: &[],
+        options: &[],
     },
     SchemeEntry {
         id: "mujoco",
         name: Words { en: "MuJoCo (replica of its step)", zh: "MuJoCo(其步的复刻)" },
-        law: Words { en: "associated law over a pyramid, soft", zh: "棱锥上的关联定律,软接触" },
+        law: Words { en: "associated law over the elliptic cone, soft", zh: "椭圆锥上的关联定律,软接触" },
         theta: &[],
+        options: &["--cone", "elliptic"],
     },
 ];
 
@@ -210,7 +218,9 @@ impl Choice {
     /// Those of the scheme's parameters.
     pub fn scheme(&self) -> Result<Box<dyn Scheme>> {
         let default = SchemeParameters::default();
-        by_name(self.scheme, SchemeParameters { theta: self.theta.unwrap_or(default.theta), ..default })
+        // over the pyramid, which is MuJoCo's default, softness acts on edges, and no one ŷ says what r is related to
+        let mujoco = Mujoco::standard(Cone::Elliptic);
+        by_name(self.scheme, SchemeParameters { theta: self.theta.unwrap_or(default.theta), mujoco, ..default })
     }
 
     /// What follows `moreau` on the command line for this run, with the scene in this file.
@@ -219,6 +229,8 @@ impl Choice {
         if let Some(theta) = self.theta {
             words.extend(["--theta".into(), theta.to_string()]);
         }
+        let options = SCHEMES.iter().filter(|scheme| scheme.id == self.scheme).flat_map(|scheme| scheme.options);
+        words.extend(options.map(|option| option.to_string()));
         words
     }
 }

@@ -153,7 +153,7 @@ fn table(language: Language) -> String {
     let scene = |one: &super::SceneEntry| json!({"id": one.id, "about": one.about.of(language), "friction": one.friction, "restitution": one.restitution});
     let scheme = |one: &SchemeEntry| {
         let name = one.name.of(language);
-        json!({"id": one.id, "name": name, "law": one.law.of(language), "theta": one.theta, "restitution": one.id == "moreau-jean"})
+        json!({"id": one.id, "name": name, "law": one.law.of(language), "theta": one.theta, "options": one.options.join(" ")})
     };
     let texts: Map<String, Value> = TEXTS.iter().chain(&ACTS).map(|(id, words)| (id.to_string(), words.of(language).into())).collect();
     let table = json!({"scenes": SCENES.iter().map(scene).collect::<Vec<_>>(), "schemes": SCHEMES.iter().map(scheme).collect::<Vec<_>>(),
