@@ -4,6 +4,12 @@ use moreau_dynamics::scenes::{Scene, Staged};
 use moreau_dynamics::schemes::Scheme;
 use moreau_exact::Result;
 
+/// What [`plastic_if_needed`] says of a scheme without restitution.
+pub const PLASTIC: &str = "this scheme has no restitution: every impact is plastic, e = 0 in place of the scene's";
+
+/// What it says of MuJoCo's.
+pub const SOFT: &str = "soft contact has no restitution: how far a body bounces follows from solref and solimp, not from the scene's e";
+
 /// The scene's mechanism. How soft a body rests depends on the number of its contact points, which is that of the body in space.
 ///
 /// # Errors
@@ -25,10 +31,6 @@ pub fn plastic_if_needed(mut scene: Scene, scheme: &dyn Scheme, name: &str, rest
         scene.material.restitution = restitution;
         scene.material.pairs.iter_mut().for_each(|pair| pair.restitution = None);
     }
-    let note = if name == "mujoco" {
-        "soft contact has no restitution: how far a body bounces follows from solref and solimp, not from the scene's e"
-    } else {
-        "this scheme has no restitution: every impact is plastic, e = 0 in place of the scene's"
-    };
+    let note = if name == "mujoco" { SOFT } else { PLASTIC };
     (scene, plastic.then_some(note))
 }

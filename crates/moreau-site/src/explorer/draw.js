@@ -79,18 +79,23 @@ const moreauDraw = (() => {
     const wedge = (along, up, kind) => {
       const size = Math.hypot(along, up), [a, b] = [far * along / size, far * up / size];
       const corner = up === 0 ? [[x + far, y - far], [x - far, y - far]] : [];
-      make(svg, "polygon", { points: [[x, y], [x + a, y - b], ...corner, [x - a, y - b]].join(" "), class: kind });
-      make(svg, "polyline", { points: [[x + a, y - b], [x, y], [x - a, y - b]].join(" "), class: `${kind} edge` });
+      return [{ points: [[x, y], [x + a, y - b], ...corner, [x - a, y - b]].join(" "), class: kind },
+        { points: [[x + a, y - b], [x, y], [x - a, y - b]].join(" "), class: `${kind} edge` }];
     };
-    wedge(1, mu, "dual");
-    wedge(mu, 1, "cone");
+    // the narrower one lies on top
+    const both = [wedge(1, mu, "dual"), wedge(mu, 1, "cone")];
+    if (mu > 1) both.reverse();
+    both.forEach(([filled]) => make(svg, "polygon", filled));
+    both.forEach(([, edge]) => make(svg, "polyline", edge));
     make(svg, "line", { x1: 6, y1: y, x2: width - 6, y2: y, class: "axis" });
     make(svg, "line", { x1: x, y1: y, x2: x, y2: 8, class: "axis" });
-    make(svg, "text", { x: x + 4, y: 16 }, "n");
+    make(svg, "text", { x: x - 12, y: 16 }, "n");
     make(svg, "text", { x: width - 12, y: y - 5 }, "t");
-    const K = mu > 0 ? [Math.min(width / 2 - 26, reach * mu * 0.92), reach * 0.92] : [5, reach * 0.92];
-    make(svg, "text", { x: x + K[0] * 0.5 - 6, y: y - K[1], class: "told" }, "K");
-    make(svg, "text", { x: 10, y: y - Math.min(reach, (width / 2 - 14) * mu + 24), class: "told" }, "K*");
+    const K = [Math.min(width / 2 - 10, reach * mu * 0.85), reach * 0.85];
+    // K beside its right edge, K* over its left one
+    make(svg, "text", { x: x + K[0] - (mu > 0 ? 18 : -4), y: y - K[1], class: "told" }, "K");
+    const over = mu > 1 ? [x - 0.6 * reach / mu, 0.85 * reach] : [10, Math.min(reach, (width / 2 - 14) * mu + 24)];
+    make(svg, "text", { x: over[0], y: y - over[1], class: "told" }, "K*");
     const arrows = make(svg, "g"), most = [largest(run, "rn", "rt"), largest(run, "yn", "yt")];
     const arrow = (t, n, top, kind) => {
       const size = Math.hypot(t, n);
@@ -120,7 +125,8 @@ const moreauDraw = (() => {
       return bottom - (bottom - top) * Math.min(1, Math.max(0, place));
     };
     make(svg, "rect", { x: left, y: top, width: right - left, height: bottom - top, class: "frame" });
-    const written = (value) => log ? `1e${value}` : Number(value.toPrecision(3)).toString();
+    const written = (value) => log ? `1e${value}` : value !== 0 && Math.abs(value) < 0.1
+      ? value.toExponential(1) : Number(value.toPrecision(3)).toString();
     const place = log ? (value) => level(10 ** value) : level;
     [low, high].forEach((value) => make(svg, "text", { x: left - 4, y: place(value) + 4, class: "end" }, written(value)));
     if (!log && low < 0 && high > 0) make(svg, "line", { x1: left, y1: level(0), x2: right, y2: level(0), class: "zero" });

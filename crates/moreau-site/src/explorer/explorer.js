@@ -10,7 +10,7 @@
   const state = { sample: 0, last: 1, h: 1, playing: false, begun: 0, from: 0, asked: 0, panels: new Map() };
 
   const plain = (value) => Number(value.toFixed(6)).toFixed(6).replace(/\.?0+$/, "").replace(/^-0$/, "0");
-  const short = (value) => value === null ? "–" : value === Infinity ? "NaN" : value === 0 ? "0" : value.toExponential(1);
+  const short = (value) => value === null ? "–" : value === Infinity ? "NaN" : value === 0 ? "0" : value.toExponential(1).replace(".0e", "e");
   const scene = () => scenes.find((one) => one.id === $("scene").value);
   const scheme = (panel) => panel === "coulomb" ? $("scheme").value : $(panel).dataset.scheme;
   const entry = (id) => schemes.find((one) => one.id === id);
@@ -86,17 +86,18 @@
       graph("energy", { range: energy, label: `${texts.energy} [J]` }),
       graph("natural", { range: [-18, 0], log: true, label: `${texts.natural} [N·s]`, marks: run.verdict }),
     ];
-    $(`${panel}-note`).textContent = run.note;
+    $(`${panel}-note`).textContent = texts[run.note] || run.note;
     return { run, show: (k) => drawn.forEach((part) => part(k)) };
   };
 
   // The numbers of a sample.
+  const residual = (word) => texts[word === "velocity" ? "velocityResidual" : word] || word;
   const verdict = (run, k) => {
     const kind = run.verdict[k];
     if (!k) return ["", texts.start];
     if (!kind) return ["", texts.nothing];
     const word = [texts.accepted, texts.unconverged, texts.rejected][kind - 1];
-    const told = `${word}; ${texts.largest} ${short(run.relative[k])} (${run.word[k]}, ${texts.limit} ${short(run.limit)})`;
+    const told = `${word}; ${texts.largest} ${short(run.relative[k])} (${residual(run.word[k])}, ${texts.limit} ${short(run.limit)})`;
     return [["pass", "difference", "fail"][kind - 1], told];
   };
   const numbers = (run, k) => {

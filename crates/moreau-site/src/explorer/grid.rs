@@ -256,10 +256,11 @@ fn stack() -> Result<Scene> {
 }
 
 fn cradle() -> Result<Scene> {
-    let radius = 0.1;
+    // sums of quarters are exact: spheres that touch have a gap of zero, not one of rounding
+    let radius = 0.125;
     let ball = |k: u8| Body::sphere(format!("ball{}", k + 1), 1.0, radius, [2.0 * radius * f64::from(k), 0.0, 0.0]);
     let mut bodies: Vec<Body> = (0..5).map(ball).collect();
-    bodies[0].position[0] = -0.2;
+    bodies[0].position[0] = -0.25;
     bodies[0].linear_velocity = [1.0, 0.0, 0.0];
     Ok(Scene { bodies, duration: 0.6, ..named("two-ball-impact")? })
 }

@@ -1,9 +1,10 @@
 //! The texts of the page.
 
 use crate::Words;
+use moreau_replicas::staging::{PLASTIC, SOFT};
 
 /// What the program puts in, by the name that it knows it by.
-pub const TEXTS: [(&str, Words); 26] = [
+pub const TEXTS: [(&str, Words); 34] = [
     ("play", Words { en: "Play", zh: "播放" }),
     ("pause", Words { en: "Pause", zh: "暂停" }),
     ("step", Words { en: "step", zh: "第" }),
@@ -30,6 +31,15 @@ pub const TEXTS: [(&str, Words); 26] = [
     ("more", Words { en: "contacts active; the largest impulse", zh: "个接触起作用;其中最大冲量" }),
     ("open", Words { en: "no contact active", zh: "没有起作用的接触" }),
     ("ground", Words { en: "ground", zh: "地面" }),
+    ("primal", Words { en: "primal", zh: "原始" }),
+    ("dual", Words { en: "dual", zh: "对偶" }),
+    ("complementarity", Words { en: "complementarity", zh: "互补" }),
+    ("normal", Words { en: "normal", zh: "法向" }),
+    ("tangential", Words { en: "tangential", zh: "切向" }),
+    // the residual of the stored velocity
+    ("velocityResidual", Words { en: "velocity", zh: "速度" }),
+    (PLASTIC, Words { en: PLASTIC, zh: "此格式没有恢复系数:每次碰撞都是塑性的,以 e = 0 代替场景的 e" }),
+    (SOFT, Words { en: SOFT, zh: "软接触没有恢复系数:物体弹起多高由 solref 与 solimp 决定,而非场景的 e" }),
 ];
 
 /// Where a parameter acts, beside its control.
