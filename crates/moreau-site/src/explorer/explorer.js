@@ -20,15 +20,15 @@
   });
 
   // The controls: what is offered, and where it acts.
-  const offer = (id, values, wanted) => {
+  const offer = (id, values, wanted, otherwise = 1) => {
     const select = $(id), before = wanted === undefined ? select.value : String(wanted);
     select.replaceChildren(...values.map((value) => new Option(String(value), String(value))));
-    select.value = values.map(String).includes(before) ? before : String(values[Math.min(1, values.length - 1)]);
+    select.value = values.map(String).includes(before) ? before : String(values[Math.min(otherwise, values.length - 1)]);
     select.disabled = values.length < 2;
   };
   const offerAll = (wanted = {}) => {
     const { friction, restitution, about } = scene(), { theta } = entry($("scheme").value);
-    offer("theta", schemes[0].theta, wanted.theta || $("theta").value || schemes[0].theta[0]);
+    offer("theta", schemes[0].theta, wanted.theta, 0);
     $("theta").disabled = theta.length < 2;
     offer("friction", friction, wanted.mu);
     offer("restitution", restitution, wanted.e);

@@ -46,7 +46,7 @@ pub const TEXTS: [(&str, Words); 34] = [
 pub(super) const ACTS: [(&str, Words); 4] = [
     ("thetaActs", Words { en: "acts in Moreau–Jean only", zh: "只作用于 Moreau–Jean" }),
     ("thetaNot", Words { en: "Stewart–Trinkle has no θ", zh: "Stewart–Trinkle 没有 θ" }),
-    ("restitutionActs", Words { en: "acts in Moreau–Jean only; see the notes of the others", zh: "只作用于 Moreau–Jean;见其他格式的注" }),
+    ("restitutionActs", Words { en: "acts in Moreau–Jean only", zh: "只作用于 Moreau–Jean" }),
     ("actsNot", Words { en: "fixed in this scene", zh: "在此场景中固定" }),
 ];
 
@@ -63,7 +63,7 @@ pub(super) const NO_SCRIPT: Words = Words {
 };
 pub(super) const CHOICE: Words = Words { en: "Scene, scheme and parameters", zh: "场景、格式与参数" };
 pub(super) const SCENE: Words = Words { en: "scene", zh: "场景" };
-pub(super) const SCHEME: Words = Words { en: "scheme of Coulomb’s law", zh: "库仑定律的格式" };
+pub(super) const SCHEME: Words = Words { en: "Coulomb’s law by", zh: "库仑定律的格式" };
 pub(super) const THETA: Words = Words { en: "θ [1]", zh: "θ [1]" };
 pub(super) const RESTITUTION: Words = Words { en: "restitution e [1]", zh: "恢复系数 e [1]" };
 pub(super) const FRICTION: Words = Words { en: "friction μ [1]", zh: "摩擦系数 μ [1]" };

@@ -1,6 +1,6 @@
 //! The page of the explorer in its two languages.
 
-use super::grid::{SCENES, SCHEMES, STEPS, SchemeEntry};
+use super::grid::{SCENES, SCHEMES, STEPS, SceneEntry, SchemeEntry};
 use super::texts::{
     ACTS, BACK, CHOICE, CONE, ENERGY, FRICTION, GAP, HOW, INTRODUCTION, MOTION, NATURAL, NO_SCRIPT, NOTES, ON, PLAY, RESTITUTION, SCENE,
     SCENE_FILE, SCHEME, SPEED, STEP, TEXTS, THETA, TIME,
@@ -150,7 +150,8 @@ fn notes(language: Language) -> Markup {
 
 /// What the program knows of the grid, and its texts: JSON in which no letter ends a script.
 fn table(language: Language) -> String {
-    let scene = |one: &super::SceneEntry| json!({"id": one.id, "about": one.about.of(language), "friction": one.friction, "restitution": one.restitution});
+    let scene =
+        |one: &SceneEntry| json!({"id": one.id, "about": one.about.of(language), "friction": one.friction, "restitution": one.restitution});
     let scheme = |one: &SchemeEntry| {
         let name = one.name.of(language);
         json!({"id": one.id, "name": name, "law": one.law.of(language), "theta": one.theta, "options": one.options.join(" ")})
