@@ -61,6 +61,16 @@ const CAUSES: &[(&str, &str)] = embedded![
 ///
 /// # Errors
 /// If what is embedded cannot be read, which a test excludes.
+///
+/// ```
+/// use moreau::gate::cause;
+///
+/// let (standings, causes) = moreau::board::stored()?;
+/// let rapier = standings.iter().find(|standing| standing.entry.name == "rapier-0.36").and_then(|one| one.report.as_ref());
+/// let stack = rapier.expect("stored").checks.iter().find(|outcome| outcome.check == "stack/ten").expect("a check");
+/// assert_eq!(stack.verdict.is_bad(), cause::find(&causes, "rapier-0.36", "stack/ten").is_some());
+/// # Ok::<(), moreau::Error>(())
+/// ```
 pub fn stored() -> Result<(Vec<Standing>, Vec<Cause>)> {
     let standing = |entry: Entry| match STANDINGS.iter().find(|(name, _)| *name == entry.name) {
         Some((_, text)) => Standing::from_json(text),

@@ -100,6 +100,11 @@ pub struct ReadmeExample;
 #[doc = include_str!("../docs/inside.md")]
 pub struct InsideExample;
 
+/// Those of the page on use as a library.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/library.md")]
+pub struct LibraryExample;
+
 /// Those of the gate's manual.
 #[cfg(doctest)]
 #[doc = include_str!("../docs/gate.md")]

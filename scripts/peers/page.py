@@ -9,7 +9,7 @@ def markdown(report):
     machine = report["machine"]
     lines = ["# Contact solvers side by side", "",
              f"{report['date']}, {machine['processor']}, one core of {machine['cores']}, {machine['system']}. {versions}.",
-             "", "```sh", report["command"], "```", "",
+             "", "<!-- not run: it measures times against other packages -->", "```sh", report["command"], "```", "",
              f"Every solver on one core, in turn, {report['rounds']} rounds in one run; the least time counts. *natural map* is "
              "‖r − P_K(r − ŷ)‖/‖q‖ with ρ = 1 kg, computed by numpy from the answer of each. "
              "† the peer was given (W + Wᵀ)/2 and is judged by it. No peer beside our time: no setting of theirs reached the accuracy "

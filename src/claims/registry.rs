@@ -64,6 +64,14 @@ pub fn all() -> impl Iterator<Item = &'static Claim> {
 }
 
 /// The claim with this id.
+///
+/// ```
+/// use moreau::claims::{self, ClaimVerdict};
+///
+/// let claim = claims::find("S12.qplus").expect("registered");
+/// assert_eq!((claim.verdict, claim.section()), (ClaimVerdict::False, "S12"));
+/// assert!(claims::find("S12.nothing").is_none());
+/// ```
 pub fn find(id: &str) -> Option<&'static Claim> {
     all().find(|claim| claim.id.eq_ignore_ascii_case(id))
 }

@@ -17,6 +17,16 @@ use std::collections::BTreeMap;
 ///
 /// # Errors
 /// In words, if no finding decides, or if the sentence is refuted under a violated condition and nowhere supported.
+///
+/// ```
+/// use moreau::checks::Finding;
+/// use moreau::claims::{ClaimVerdict, derive};
+///
+/// let energy = Finding::equal("energy after the impact", 1.0, 1.0, 0.0, "J");
+/// assert_eq!(derive(&[energy.clone()]), Ok(ClaimVerdict::True));
+/// assert_eq!(derive(&[energy.says(2.0)]), Ok(ClaimVerdict::False)); // the sentence says 2 J
+/// assert!(derive(&[]).is_err()); // nothing found is no verdict
+/// ```
 pub fn derive(findings: &[Finding]) -> Result<ClaimVerdict, &'static str> {
     let deciding: Vec<&Finding> = findings.iter().filter(|finding| !finding.bearing.context).collect();
     if deciding.is_empty() {

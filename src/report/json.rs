@@ -197,6 +197,13 @@ impl<'a> From<&'a JudgedClaim> for ExplanationEntry<'a> {
 ///
 /// # Errors
 /// [`Error::Json`] if the value cannot be written as JSON.
+///
+/// ```
+/// use moreau::report::json::pretty;
+///
+/// assert_eq!(pretty(&[0.5, 1e-9])?, "[\n  0.5,\n  1e-9\n]\n");
+/// # Ok::<(), moreau::Error>(())
+/// ```
 pub fn pretty<T: Serialize + ?Sized>(value: &T) -> Result<String> {
     serde_json::to_string_pretty(value).map(|text| text + "\n").map_err(Error::Json)
 }

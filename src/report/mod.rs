@@ -6,6 +6,7 @@ pub mod certificate;
 pub mod comparison;
 pub mod deepest;
 pub mod explanation;
+pub mod failures;
 mod findings;
 pub mod formats;
 pub mod json;

@@ -113,6 +113,14 @@ pub fn worked_ball() -> Ball<Rational> {
 }
 
 /// The contact step of the chapter's worked example: q = 0.005 m, v = −0.99 m/s, h = 0.01 s, rule D.
+///
+/// ```
+/// use moreau_checks::energy::{worked_ball, worked_step};
+/// use moreau_exact::scalar::ratio;
+///
+/// let step = worked_step(&worked_ball(), &ratio(1, 1));
+/// assert_eq!((step.impulse, step.motion.velocity), (ratio(317, 200), ratio(99, 200))); // as the chapter prints them
+/// ```
 pub fn worked_step(ball: &Ball<Rational>, theta: &Rational) -> BallStep<Rational> {
     let before = BallState { position: ratio(5, 1000), velocity: ratio(-99, 100) };
     ball.moreau_jean(&before, theta, Activation::FreeVelocityForecast, &ratio(1, 100))

@@ -70,6 +70,14 @@ impl Expectation {
     }
 
     /// How much of the bound a measured value uses, by the module's table; `None` where there is nothing to divide by, or no number.
+    ///
+    /// ```
+    /// use moreau_checks::Expectation;
+    ///
+    /// let speed = Expectation::equal(0.5, 0.25, "e v, one step of gravity");
+    /// assert_eq!((speed.used(0.625), speed.holds(0.625)), (Some(0.5), true)); // half of what is allowed
+    /// assert!(!speed.holds(0.8) && !speed.holds(f64::NAN));
+    /// ```
     pub fn used(&self, measured: f64) -> Option<f64> {
         let one_sided = |x: f64, limit: f64| match limit {
             limit if limit > 0.0 => x.max(0.0) / limit,

@@ -9,6 +9,14 @@ use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
 /// One measured number, what was expected of it and how far it may differ.
+///
+/// ```
+/// use moreau_checks::Finding;
+///
+/// let depth = Finding::at_most("depth", 1e-4, 1e-3, "m");
+/// assert!(depth.holds());
+/// assert!(!Finding::at_least("rebound", 0.2, 0.5, "m/s").holds());
+/// ```
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Finding {
     /// What was measured.

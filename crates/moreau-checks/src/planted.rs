@@ -144,6 +144,22 @@ impl<S: Sync> Family<S> {
     ///
     /// # Errors
     /// If a check cannot be computed.
+    ///
+    /// ```
+    /// use moreau_checks::Finding;
+    /// use moreau_checks::planted::Family;
+    ///
+    /// type Area = fn(f64) -> f64;
+    /// static CIRCLES: Family<Area> = Family {
+    ///     reference: |r| std::f64::consts::PI * r * r,
+    ///     checks: &[("doubling", |area| Ok(vec![Finding::equal("A(2)/A(1)", area(2.0) / area(1.0), 4.0, 1e-12, "1")]))],
+    ///     planted: &[],
+    /// };
+    /// assert!(CIRCLES.failing(&CIRCLES.reference)?.is_empty());
+    /// let circumference: Area = |r| 2.0 * std::f64::consts::PI * r;
+    /// assert_eq!(CIRCLES.failing(&circumference)?[0].check, "doubling");
+    /// # Ok::<(), moreau_exact::Error>(())
+    /// ```
     pub fn failing(&self, subject: &S) -> Result<Vec<Catch>> {
         let mut failing = Vec::new();
         for (name, check) in self.checks {

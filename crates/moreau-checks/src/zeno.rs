@@ -124,6 +124,15 @@ pub fn absorption(subject: &dyn Scheme, proved: &MoreauJean, ball: &DroppedBall,
 
 /// Number of impacts an event-driven integrator computes until less than `remaining` seconds are left to T∞, landing
 /// by landing from the speed of the last one: t ← t + 2 e v/g, v ← e v.
+///
+/// ```
+/// use moreau_checks::zeno::{DroppedBall, events_until};
+///
+/// let ball = DroppedBall { mass: 1.0, gravity: 10.0, height: 5.0, restitution: 0.5 };
+/// let events = |distance: f64| events_until(&ball, distance);
+/// assert_eq!(events(ball.accumulation_time() / 2.0), 2);
+/// assert_eq!(events(ball.accumulation_time() / 4.0), 3); // each halving costs one event more at e = ½
+/// ```
 pub fn events_until(ball: &DroppedBall, remaining: f64) -> usize {
     let mut speed = ball.impact_speed();
     let mut time = speed / ball.gravity;

@@ -12,6 +12,18 @@ use moreau_exact::scalar::{Rational, Scalar};
 use moreau_exact::witness::{Part, Witness, decided, rational};
 
 /// A ball of mass m under gravity g above the floor q ≥ 0.
+///
+/// ```
+/// use moreau_dynamics::exact_particle::{Ball, BallState};
+/// use moreau_dynamics::schemes::Activation;
+/// use moreau_exact::scalar::ratio;
+///
+/// let ball = Ball { mass: ratio(1, 1), gravity: ratio(10, 1), restitution: ratio(1, 2) };
+/// let now = BallState { position: ratio(0, 1), velocity: ratio(-3, 1) };
+/// let step = ball.moreau_jean(&now, &ratio(1, 2), Activation::Gap, &ratio(1, 100));
+/// assert_eq!(step.motion.velocity, ratio(3, 2)); // −e v, exactly
+/// assert_eq!(step.impulse, ratio(23, 5)); // 4.5 N·s of the impact and m g h
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ball<T> {
     /// m \[kg\].

@@ -6,6 +6,14 @@
 use crate::scalar::Scalar;
 
 /// b − Σ aᵢxᵢ, with an error of ε|b − Σ aᵢxᵢ| + (nε)²(|b| + Σ|aᵢxᵢ|).
+///
+/// ```
+/// use moreau_exact::doubled::residual;
+///
+/// let (a, x) = ([1e16, 1.0, -1e16], [1.0, 1.0, 1.0]);
+/// assert_eq!(residual(&0.0, a.iter().zip(&x)), -1.0);
+/// assert_eq!(-(a[0] + a[1] + a[2]), 0.0); // what plain sums make of it
+/// ```
 pub fn residual<'a, T: Scalar>(b: &T, products: impl Iterator<Item = (&'a T, &'a T)>) -> T {
     let (mut sum, mut left) = (b.clone(), T::zero());
     for (a, x) in products {

@@ -8,6 +8,15 @@ use nalgebra::{DMatrix, DVector};
 ///
 /// # Panics
 /// If A is not square or b has another size.
+///
+/// ```
+/// use moreau_exact::{elimination::solve, scalar::ratio};
+/// use nalgebra::{dmatrix, dvector};
+///
+/// let matrix = dmatrix![ratio(2, 1), ratio(1, 1); ratio(1, 1), ratio(2, 1)];
+/// assert_eq!(solve(&matrix, &dvector![ratio(1, 1), ratio(-2, 1)]), Some(dvector![ratio(4, 3), ratio(-5, 3)]));
+/// assert_eq!(solve(&dmatrix![1.0, 1.0; 1.0, 1.0], &dvector![1.0, 2.0]), None); // singular
+/// ```
 pub fn solve<T: Scalar>(matrix: &DMatrix<T>, right_side: &DVector<T>) -> Option<DVector<T>> {
     let columns = DMatrix::from_column_slice(right_side.len(), 1, right_side.as_slice());
     let decide = || solve_columns(matrix, &columns).map(|solution| solution.column(0).into_owned());
@@ -81,6 +90,13 @@ fn substitute_back<T: Scalar>(transposed: &DMatrix<T>, x: &mut DMatrix<T>) {
 }
 
 /// The rank of A, exact over rationals (for `f64`: the number of pivots that are not exactly zero).
+///
+/// ```
+/// use moreau_exact::{elimination::rank, scalar::ratio};
+/// use nalgebra::dmatrix;
+///
+/// assert_eq!(rank(&dmatrix![ratio(1, 3), ratio(1, 7); ratio(7, 3), ratio(1, 1)]), 1); // the second row is seven times the first
+/// ```
 pub fn rank<T: Scalar>(matrix: &DMatrix<T>) -> usize {
     decided(
         || count_pivots(matrix),

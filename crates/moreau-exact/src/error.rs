@@ -6,6 +6,13 @@ use std::path::{Path, PathBuf};
 pub type Result<T> = std::result::Result<T, Error>;
 
 /// What can go wrong, in words a user can act on.
+///
+/// ```
+/// use moreau_exact::Error;
+///
+/// let error = Error::invalid("friction[2]", "is -0.5", "use a number ≥ 0").in_file("scene.json".as_ref());
+/// assert_eq!(error.to_string(), "scene.json: field `friction[2]`: is -0.5; use a number ≥ 0");
+/// ```
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {

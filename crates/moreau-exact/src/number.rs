@@ -6,6 +6,12 @@ pub fn larger(a: f64, b: f64) -> f64 {
 }
 
 /// A number with at most six significant digits and no trailing zeros.
+///
+/// ```
+/// use moreau_exact::number::significant;
+///
+/// assert_eq!([2.0 / 3.0, 9.81, 3.6718184e-4].map(significant), ["0.666667", "9.81", "3.67182e-4"]);
+/// ```
 pub fn significant(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 {
@@ -49,6 +55,12 @@ pub fn to_two_digits_of(uncertainty: f64, value: f64) -> String {
 }
 
 /// A number followed by its unit; pure numbers have the unit `1` and show none.
+///
+/// ```
+/// use moreau_exact::number::with_unit;
+///
+/// assert_eq!((with_unit("0.5", "N·s"), with_unit("0.5", "1")), ("0.5 N·s".into(), "0.5".into()));
+/// ```
 pub fn with_unit(number: &str, unit: &str) -> String {
     if unit == "1" { number.into() } else { format!("{number} {unit}") }
 }

@@ -93,6 +93,14 @@ impl Drop for Outer {
 }
 
 /// Runs something and keeps the witnesses of the exact decisions that it makes on this thread.
+///
+/// ```
+/// use moreau_exact::witness::{Witness, collect, decided};
+///
+/// let decide = || decided(|| 6 * 7, |found| Some(Witness::new("product", vec![("is-even", (found % 2 == 0).into())])));
+/// let (answer, witnesses) = collect(decide);
+/// assert_eq!((answer, witnesses.len()), (42, 1));
+/// ```
 pub fn collect<R>(run: impl FnOnce() -> R) -> (R, Vec<Witness>) {
     let mut outer = Outer(Some(COLLECTOR.replace(Collector { depth: 0, kept: Some(Vec::new()) })));
     let result = run();

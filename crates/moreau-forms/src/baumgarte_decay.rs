@@ -7,6 +7,13 @@
 /// τ \[s\], the time constant of the slowest decay; α and β \[1/s\] positive.
 ///
 /// For α > β the root is taken as (α + √(α²−β²))/β², which cancels nothing.
+///
+/// ```
+/// use moreau_forms::baumgarte_decay::time_constant;
+///
+/// assert_eq!(time_constant(5.0, 5.0), 0.2); // critical damping: 1/α
+/// assert_eq!(time_constant(13.0, 5.0), 1.0); // overdamped: (13 + 12)/25 s, slower than 1/13 s
+/// ```
 pub fn time_constant(damping: f64, frequency: f64) -> f64 {
     if damping <= frequency {
         return 1.0 / damping;

@@ -16,6 +16,16 @@ use std::f64::consts::PI;
 ///
 /// # Source
 /// den Hartog, *Mechanical Vibrations* (1956), stick–slip; the equations of the header.
+///
+/// ```
+/// use moreau_forms::BeltOscillator;
+///
+/// let mass = BeltOscillator::new(10.0, 0.1, 0.03, 0.02)?; // ω, v_b, δ_s, δ_k
+/// assert!((mass.stick_duration() - 0.2).abs() < 1e-12); // 2 (δ_s − δ_k)/v_b
+/// let (position, velocity) = mass.state(0.0);
+/// assert!((position - 0.03).abs() < 1e-12 && (velocity - 0.1).abs() < 1e-12); // it begins to slip at δ_s, with the belt
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BeltOscillator {
     /// ω \[rad/s\].

@@ -14,6 +14,18 @@ use moreau_exact::{Error, Result};
 ///
 /// # Source
 /// Chapter §0, the Zeno example; elementary ballistics.
+///
+/// ```
+/// use moreau_forms::BouncingBall;
+///
+/// let ball = BouncingBall::new(10.0, 5.0, 0.5)?; // g, height, e
+/// assert_eq!(ball.first_impact_time(), 1.0);
+/// assert_eq!(ball.impact_speed(2), 5.0);
+/// assert_eq!(ball.accumulation_time(), 3.0); // (1 + e)/(1 − e) times the first: infinitely many impacts
+/// assert_eq!((ball.impacts_until(2.25), ball.impacts_until(3.0)), (Some(2), None));
+/// assert_eq!(ball.state(4.0), (0.0, 0.0));
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BouncingBall {
     gravity: f64,
@@ -43,6 +55,15 @@ fn flight_by_flight<T: Scalar>(restitution: &T, impact: usize) -> T {
 }
 
 /// T∞/t₁ = (1 + e)/(1 − e), e < 1, in any ordered field.
+///
+/// ```
+/// use moreau_exact::scalar::ratio;
+/// use moreau_forms::bouncing_ball::{accumulation_time_ratio, impact_time_ratio};
+///
+/// let e = ratio(1, 2);
+/// assert_eq!(accumulation_time_ratio(&e), ratio(3, 1));
+/// assert_eq!(impact_time_ratio(&e, 3), ratio(5, 2)); // 1 + 2 (½ + ¼)
+/// ```
 pub fn accumulation_time_ratio<T: Scalar>(restitution: &T) -> T {
     (T::one() + restitution.clone()) / (T::one() - restitution.clone())
 }

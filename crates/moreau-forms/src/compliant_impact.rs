@@ -15,6 +15,16 @@ use std::f64::consts::PI;
 ///
 /// # Source
 /// Schwager and Pöschel, *Coefficient of restitution and linear–dashpot model revisited* (2007).
+///
+/// ```
+/// use moreau_forms::CompliantImpact;
+///
+/// let impact = CompliantImpact::new(1.0, 1e4, 100.0)?; // m, k, c
+/// assert_eq!(impact.damping_ratio(), 0.5);
+/// assert!((impact.restitution_with_adhesion() - 0.163).abs() < 1e-3); // exp(−π/√3)
+/// assert!(impact.restitution_cut() > impact.restitution_with_adhesion()); // contact that may not pull keeps more speed
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CompliantImpact {
     /// m \[kg\].

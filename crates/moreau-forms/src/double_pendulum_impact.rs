@@ -12,6 +12,17 @@ use moreau_exact::scalar::Scalar;
 ///
 /// # Source
 /// Kane and Levinson, *Dynamics: Theory and Applications* (1985), for the mechanism; masses and lengths are a choice.
+///
+/// ```
+/// use moreau_exact::scalar::{Rational, ratio};
+/// use moreau_forms::double_pendulum_impact::DoublePendulum;
+///
+/// let [zero, one]: [Rational; 2] = [ratio(0, 1), ratio(1, 1)];
+/// let hanging = DoublePendulum { mass: one.clone(), length: one.clone(), angles: [[zero.clone(), one.clone()], [zero.clone(), one]] };
+/// let [normal, mixed, tangential] = hanging.delassus();
+/// assert_eq!((normal, mixed), (zero.clone(), zero)); // stretched downwards, the tip cannot move along its rods
+/// assert_eq!(tangential, ratio(24, 7));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct DoublePendulum<T: Scalar> {
     /// m \[kg\].

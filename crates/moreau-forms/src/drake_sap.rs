@@ -47,6 +47,15 @@ pub fn diagonal_mean(mass: f64, inertia_diagonal: Vector3<f64>, lever: Vector3<f
 
 /// Creep σ h F_t/Σ 1/w_i \[m/s\] of a body that contacts with the given w_i \[1/kg\] hold together under F_t = `load` \[N\]: one
 /// speed for all, v = σ w_i r_t,i, and Σ r_t,i = h F_t.
+///
+/// ```
+/// use moreau_forms::drake_sap::{TANGENTIAL_RATIO, shared_creep};
+///
+/// let one = shared_creep(0.01, &[2.0], 3.0); // h, w of the contact, load
+/// assert!((one - TANGENTIAL_RATIO * 0.01 * 2.0 * 3.0).abs() < 1e-15);
+/// assert!((shared_creep(0.01, &[2.0, 2.0], 3.0) - one / 2.0).abs() < 1e-15); // two contacts creep half as fast
+/// assert!((shared_creep(0.005, &[2.0], 3.0) - one / 2.0).abs() < 1e-15); // and so does half the step
+/// ```
 pub fn shared_creep(time_step: f64, diagonal_means: &[f64], load: f64) -> f64 {
     TANGENTIAL_RATIO * time_step * load / diagonal_means.iter().map(|mean| 1.0 / mean).sum::<f64>()
 }

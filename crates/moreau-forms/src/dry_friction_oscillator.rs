@@ -27,6 +27,14 @@ pub struct DryFrictionOscillator {
 ///
 /// # Panics
 /// If δ is not positive: the turning points would not end.
+///
+/// ```
+/// use moreau_exact::scalar::ratio;
+/// use moreau_forms::dry_friction_oscillator::turning_points;
+///
+/// let points = turning_points(&ratio(5, 1), &ratio(1, 1)); // from 5 δ, a decrement of 2 δ each
+/// assert_eq!(points, [ratio(5, 1), ratio(-3, 1), ratio(1, 1)]); // the last one in the stick zone
+/// ```
 pub fn turning_points<T: Scalar>(start: &T, zone: &T) -> Vec<T> {
     assert!(*zone > T::zero(), "without friction the oscillation does not end");
     let mut points = vec![start.clone()];

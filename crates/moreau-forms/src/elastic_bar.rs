@@ -15,6 +15,16 @@ use moreau_exact::{Error, Result};
 ///
 /// # Source
 /// Saint-Venant (1867); Doyen, Ern and Piperno, *Time-integration schemes for the finite element dynamic Signorini problem* (2011), §4.
+///
+/// ```
+/// use moreau_forms::ElasticBar;
+///
+/// let bar = ElasticBar::new(1.0, 1000.0, 1e9, 0.01, 2.0)?; // L, ρ, E, A, V
+/// assert_eq!((bar.wave_speed(), bar.contact_time()), (1000.0, 0.002));
+/// let (impulse, momentum) = (bar.contact_force() * bar.contact_time(), bar.mass() * bar.speed);
+/// assert!((impulse - 2.0 * momentum).abs() < 1e-9); // it leaves as fast as it came
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ElasticBar {
     /// L \[m\].

@@ -13,6 +13,15 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 ///
 /// # Source
 /// Landau and Lifshitz, *Mechanics*, §36 and §37.
+///
+/// ```
+/// use moreau_forms::free_top::FreeTop;
+/// use nalgebra::Vector3;
+///
+/// let top = FreeTop { moments: Vector3::new(1.0, 2.0, 3.0) };
+/// assert_eq!(top.body_acceleration(&Vector3::y()), Vector3::zeros()); // a principal axis: it goes on turning
+/// assert_eq!(top.body_acceleration(&Vector3::new(1.0, 1.0, 0.0)).z, -1.0 / 3.0); // (J₁ − J₂) Ω₁Ω₂/J₃
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeTop {
     /// J.

@@ -12,6 +12,16 @@ use moreau_exact::scalar::Scalar;
 ///
 /// # Source
 /// MuJoCo documentation, *Computation: constraint model* (3.17); Huber, *Robust estimation of a location parameter* (1964).
+///
+/// ```
+/// use moreau_exact::scalar::ratio;
+/// use moreau_forms::huber::Huber;
+///
+/// let row = Huber { bound: ratio(3, 1), regularisation: ratio(2, 1) }; // η, R
+/// assert_eq!(row.force(&ratio(4, 1)), ratio(-2, 1)); // −y/R
+/// assert_eq!(row.force(&ratio(40, 1)), ratio(-3, 1)); // cut off at η
+/// assert_eq!(row.penalty(&ratio(4, 1)), ratio(4, 1)); // y²/(2R)
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Huber<T> {
     /// η ≥ 0 \[N\].

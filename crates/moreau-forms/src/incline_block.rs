@@ -11,6 +11,16 @@ use moreau_exact::{Error, Result};
 ///
 /// # Source
 /// Coulomb's law; chapter §5 for the sticking and the sliding block.
+///
+/// ```
+/// use moreau_forms::InclineBlock;
+///
+/// let slope = 20f64.to_radians();
+/// let slides = InclineBlock::new(9.81, slope, 0.3, 0.0)?; // g, α, μ, v₀
+/// assert!(!slides.sticks() && (slides.acceleration(1.0) - 0.5897).abs() < 1e-4);
+/// assert!(InclineBlock::new(9.81, slope, 0.5, 0.0)?.sticks()); // tan 20° = 0.364 ≤ μ
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InclineBlock {
     gravity: f64,

@@ -12,6 +12,17 @@ use moreau_exact::{Error, Result};
 ///
 /// # Source
 /// MuJoCo documentation, *Computation: constraint model* and *Modeling: solver parameters* (3.17).
+///
+/// ```
+/// use moreau_forms::mujoco_contact::ContactParameters;
+///
+/// let defaults = ContactParameters::default();
+/// let depth = defaults.rest_depth(0.001, 1.0, 9.81)?; // h, 1/m, m g: a ball of 1 kg
+/// assert!((depth - 3.6718184e-4).abs() < 1e-11); // as measured in MuJoCo 3.17.0
+/// let creep = |impratio| ContactParameters { impedance_ratio: impratio, ..defaults }.creep_speed(0.001, 1.0, 9.81, 1.0);
+/// assert!((creep(1.0)? / creep(10.0)? - 10.0).abs() < 1e-9); // creep is inverse to `impratio`
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactParameters {
     /// `solref`.

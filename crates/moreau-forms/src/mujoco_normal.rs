@@ -53,6 +53,13 @@ impl NormalContact {
 ///
 /// # Source
 /// Schwager and Pöschel, *Coefficient of restitution and linear–dashpot model revisited* (2007).
+///
+/// ```
+/// use moreau_forms::mujoco_normal::spring_damper_restitution;
+///
+/// assert_eq!(spring_damper_restitution(0.0), 1.0);
+/// assert_eq!(spring_damper_restitution(1.0), (-2f64).exp()); // critical damping still bounces: e = 0.135
+/// ```
 pub fn spring_damper_restitution(damping_ratio: f64) -> f64 {
     let square = damping_ratio * damping_ratio;
     if square == 1.0 {

@@ -17,6 +17,15 @@ pub fn at_once<T: Scalar>(restitution: &T) -> [T; 3] {
 }
 
 /// Velocities \[m/s\] after the first ball has hit the second and the second the third.
+///
+/// ```
+/// use moreau_exact::scalar::ratio;
+/// use moreau_forms::newtons_cradle::{after_two_impacts, at_once};
+///
+/// let elastic = ratio(1, 1);
+/// assert_eq!(after_two_impacts(&elastic), [ratio(0, 1), ratio(0, 1), ratio(1, 1)]); // as on the desk
+/// assert_eq!(at_once(&elastic), [ratio(-1, 3), ratio(2, 3), ratio(2, 3)]); // the same momentum and energy
+/// ```
 pub fn after_two_impacts<T: Scalar>(restitution: &T) -> [T; 3] {
     let (keep, pass) = ((T::one() - restitution.clone()) * T::ratio(1, 2), (T::one() + restitution.clone()) * T::ratio(1, 2));
     [keep.clone(), keep * pass.clone(), pass.clone() * pass]

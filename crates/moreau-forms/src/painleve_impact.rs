@@ -12,6 +12,15 @@
 ///
 /// # Source
 /// Painlevé 1895; Génot and Brogliato 1999.
+///
+/// ```
+/// use moreau_forms::SlidingEdge;
+///
+/// let edge = SlidingEdge { mass: 1.0, inertia: 1.0, arm: [1.0, 1.0] };
+/// assert_eq!(edge.delassus(), [2.0, -1.0, 2.0]);
+/// assert_eq!(edge.critical_friction(), 2.0); // from μ = 2 on no sliding force exists
+/// assert_eq!(edge.stopping_impulse(0.0, 3.0), [1.0, 2.0]); // an impulse without any approach
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlidingEdge {
     /// m \[kg\].

@@ -14,6 +14,16 @@
 /// # Source
 /// Müller et al., *Position Based Dynamics* (2007); Macklin, Müller and Chentanez, *XPBD* (2016); Müller et al., *Detailed Rigid Body
 /// Simulation with Extended Position Based Dynamics* (2020), §3.6 for restitution.
+///
+/// ```
+/// use moreau_forms::PositionBasedContact;
+///
+/// let body = |time_step| PositionBasedContact { mass: 1.0, gravity: 10.0, time_step };
+/// let (coarse, fine) = (body(0.01), body(0.005));
+/// assert_eq!(coarse.rest_depth_of_compliance(1e-4), fine.rest_depth_of_compliance(1e-4)); // XPBD: α m g
+/// let ratio = fine.stiffness_of_share(0.5, 10) / coarse.stiffness_of_share(0.5, 10);
+/// assert!((ratio - 4.0).abs() < 1e-12); // PBD: half the step is four times as stiff
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PositionBasedContact {
     /// m \[kg\].

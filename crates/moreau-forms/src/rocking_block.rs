@@ -15,6 +15,15 @@ use moreau_exact::{Error, Result};
 ///
 /// # Source
 /// Housner, *The behavior of inverted pendulum structures during earthquakes* (1963).
+///
+/// ```
+/// use moreau_forms::RockingBlock;
+///
+/// let block = RockingBlock::new(0.5, 1.0, 9.81)?; // half width, half height, g
+/// assert!((block.landing_ratio() - 0.7).abs() < 1e-12); // 1 − 3/2 · 1/5
+/// assert!(RockingBlock::new(1.0, 0.5, 9.81).is_err()); // too flat: it lands on its whole base
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RockingBlock {
     half_width: f64,

@@ -15,6 +15,17 @@ use moreau_exact::scalar::Scalar;
 ///
 /// # Source
 /// Routh 1905; Wang and Mason 1992; Stronge 1990.
+///
+/// ```
+/// use moreau_exact::scalar::{Rational, ratio};
+/// use moreau_forms::rough_impact::{Regime, RoughImpact};
+///
+/// let [cos, sin]: [Rational; 2] = [ratio(3, 5), ratio(4, 5)];
+/// let rod = RoughImpact::rod(&ratio(1, 1), [cos, sin], [ratio(-1, 1), ratio(1, 1)], ratio(1, 2));
+/// assert_eq!(rod.delassus, [ratio(52, 25), ratio(-36, 25), ratio(73, 25)]);
+/// assert_eq!(rod.regime(), Regime::Sticks);
+/// assert_eq!(rod.newton(&ratio(0, 1)), rod.poisson(&ratio(0, 1))); // without restitution the laws agree
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct RoughImpact<T: Scalar> {
     /// W_nn, W_nt, W_tt \[1/kg\].

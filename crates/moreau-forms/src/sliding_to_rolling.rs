@@ -12,6 +12,14 @@ use moreau_exact::scalar::Scalar;
 use moreau_exact::{Error, Result};
 
 /// κ v₀ + w₀ over 1 + κ, the speed at which a body rolls on a level floor, in any ordered field.
+///
+/// ```
+/// use moreau_exact::scalar::ratio;
+/// use moreau_forms::sliding_to_rolling::rolling_speed;
+///
+/// // a solid sphere that slides at 7 m/s without spin ends at five sevenths of it, whatever μ is
+/// assert_eq!(rolling_speed(&ratio(5, 2), &ratio(7, 1), &ratio(0, 1)), ratio(5, 1));
+/// ```
 pub fn rolling_speed<T: Scalar>(turning: &T, speed: &T, surface: &T) -> T {
     (turning.clone() * speed.clone() + surface.clone()) / (T::one() + turning.clone())
 }

@@ -15,6 +15,15 @@ use std::f64::consts::TAU;
 ///
 /// # Source
 /// E. Catto, *Solver2D* (2024), soft contact constraints; the documentation of Rapier's `contact_softness`.
+///
+/// ```
+/// use moreau_forms::soft_rigid_contact::SoftContact;
+///
+/// let contact = SoftContact { frequency: 30.0, inverse_mass: 1.0 };
+/// let depth = contact.compression(9.81);
+/// assert!((depth - 2.761e-4).abs() < 1e-7); // 9.81/(2π · 30)² m
+/// assert!((contact.compression(2.0 * 9.81) / depth - 2.0).abs() < 1e-12);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SoftContact {
     /// f \[1/s\]; 0 for a contact without spring.

@@ -13,6 +13,15 @@
 //! cubic.
 
 /// Bound of the θ method, infinite for θ ≥ ½; zero where ζ = 0.
+///
+/// ```
+/// use moreau_forms::spring_damper::{runge_kutta_undamped, semi_implicit, theta};
+///
+/// assert_eq!(theta(0.0, 0.0), 0.0); // explicit Euler without damping is never stable
+/// assert_eq!(theta(0.5, 0.0), f64::INFINITY); // the midpoint rule always is
+/// assert_eq!(semi_implicit(0.0), 2.0); // semi-implicit Euler up to hω = 2
+/// assert!(runge_kutta_undamped() > semi_implicit(0.0));
+/// ```
 pub fn theta(theta: f64, damping_ratio: f64) -> f64 {
     let explicit =
         if damping_ratio <= 1.0 { 2.0 * damping_ratio } else { 2.0 / (damping_ratio + (damping_ratio * damping_ratio - 1.0).sqrt()) };

@@ -14,6 +14,17 @@ use moreau_exact::{Error, Result};
 ///
 /// # Source
 /// Shaw and Holmes, *A periodically forced piecewise linear oscillator* (1983), without forcing.
+///
+/// ```
+/// use moreau_forms::StopOscillator;
+/// use std::f64::consts::{FRAC_PI_2, PI};
+///
+/// let through_rest = StopOscillator::new(1.0, 0.0, 1.0, 0.5)?; // ω, stop, start, e
+/// assert!((through_rest.first_impact_time() - FRAC_PI_2).abs() < 1e-12);
+/// assert!((through_rest.flight(3) - PI).abs() < 1e-12); // at s = 0 every flight is half a period: no accumulation
+/// assert!(StopOscillator::new(1.0, 0.1, 1.0, 0.5)?.accumulation_time().is_finite()); // pressed against the stop it ends
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StopOscillator {
     frequency: f64,

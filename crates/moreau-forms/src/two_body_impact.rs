@@ -7,6 +7,16 @@
 use moreau_exact::scalar::Scalar;
 
 /// Two bodies on a line that approach each other (v₁ > v₂, body 1 behind), in any ordered field.
+///
+/// ```
+/// use moreau_exact::scalar::{Rational, ratio};
+/// use moreau_forms::two_body_impact::TwoBodyImpact;
+///
+/// let [one, rest]: [Rational; 2] = [ratio(1, 1), ratio(0, 1)];
+/// let elastic = TwoBodyImpact { masses: [one.clone(), one.clone()], velocities: [one.clone(), rest.clone()], restitution: one.clone() };
+/// assert_eq!(elastic.velocities_post(), [rest.clone(), one]); // equal masses exchange their velocities
+/// assert_eq!(elastic.kinetic_energy_change(), rest);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct TwoBodyImpact<T: Scalar> {
     /// m₁, m₂ > 0 \[kg\].

@@ -233,6 +233,21 @@ impl Baseline {
     ///
     /// # Errors
     /// [`Error::Invalid`] if the run is of another engine or lacks a time step of the baseline: nothing could be compared.
+    ///
+    /// ```
+    /// use jiff::civil::date;
+    /// use moreau_gate::baseline::{Baseline, ChangeKind};
+    /// use moreau_gate::{Options, Plan, Verdict, checks, own, runner};
+    ///
+    /// let checks = vec![checks::find("projection/regions").expect("a check")];
+    /// let plan = Plan { checks, sweep: vec![0.01], options: Options::new(), jobs: 1, repeats: 1, progress: &|| {} };
+    /// let mut report = runner::run(&|| Box::new(own::by_name("moreau-jean").expect("one of ours")), &plan).expect("it describes itself");
+    /// let baseline = Baseline::of(&report);
+    /// assert!(baseline.compare(&report, date(2026, 1, 1))?.is_empty());
+    /// report.checks[0].verdict = Verdict::Fail; // what passed before
+    /// assert_eq!(baseline.compare(&report, date(2026, 1, 1))?[0].kind, ChangeKind::Regression);
+    /// # Ok::<(), moreau_exact::Error>(())
+    /// ```
     pub fn compare(&self, report: &Report, today: Date) -> Result<Vec<Change>> {
         if self.engine != report.engine.name {
             let problem = format!("is `{}`, but the run is of `{}`", self.engine, report.engine.name);

@@ -91,6 +91,18 @@ fn read_file(file: &Path) -> Result<Vec<Cause>> {
 ///
 /// # Errors
 /// [`Error::Invalid`] if it is not TOML of this form or names a check that does not exist.
+///
+/// ```
+/// use moreau_gate::cause::{find, from_toml};
+///
+/// let causes = from_toml(
+///     "[[cause]]\nengines = ['mine']\nchecks = ['stack/ten']\nerror = 'solver'\ncause = 'One sweep.'\nevidence = 'With 50 it passes.'",
+/// )?;
+/// assert_eq!(find(&causes, "mine", "stack/ten").map(|cause| cause.error.word()), Some("solver"));
+/// assert!(find(&causes, "mine", "stack/five").is_none());
+/// assert!(from_toml("[[cause]]\nengines = []\nchecks = ['no/check']\nerror = 'solver'\ncause = ''\nevidence = ''").is_err());
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 pub fn from_toml(text: &str) -> Result<Vec<Cause>> {
     let causes = toml::from_str::<File>(text)
         .map_err(|error| Error::invalid("the file", error.message().to_string(), "see the other files of the folder"))?

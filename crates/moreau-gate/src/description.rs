@@ -244,6 +244,16 @@ pub enum OneOrMany<T> {
 
 impl ContactModel {
     /// The single number with this name, if it is listed.
+    ///
+    /// ```
+    /// use moreau_gate::ContactModel;
+    ///
+    /// let model: ContactModel = serde_json::from_str(
+    ///     r#"{"kind": "rigid", "law": "coulomb", "parameters": {"penetration_allowance": {"value": 0.001, "unit": "m"}}}"#,
+    /// )?;
+    /// assert_eq!((model.number("penetration_allowance"), model.number("contact_margin")), (Some(0.001), None));
+    /// # Ok::<(), serde_json::Error>(())
+    /// ```
     pub fn number(&self, name: &str) -> Option<f64> {
         match &self.parameters.get(name)?.value {
             OneOrMany::One(value) => Some(*value),

@@ -77,6 +77,17 @@ impl Measurement {
     }
 
     /// The verdict by the module's table.
+    ///
+    /// ```
+    /// use moreau_checks::Expectation;
+    /// use moreau_gate::{Measurement, Verdict};
+    ///
+    /// let creep = |value: f64| Measurement::new("creep", "m/s", value, Expectation::at_most(0.0, 1e-6, "Coulomb holds the block"));
+    /// let declared = || Some(Expectation::equal(1e-3, 1e-5, "the declared law"));
+    /// assert_eq!((creep(0.0).verdict(), creep(1e-3).verdict()), (Verdict::Pass, Verdict::Fail));
+    /// assert_eq!(creep(1e-3).predicted(declared()).verdict(), Verdict::Difference); // documented
+    /// assert_eq!(creep(0.0).predicted(declared()).verdict(), Verdict::Fail); // not as declared, though ideal
+    /// ```
     pub fn verdict(&self) -> Verdict {
         match (&self.model, self.ideal.holds(self.value)) {
             (Some(model), _) if !model.holds(self.value) => Verdict::Fail,

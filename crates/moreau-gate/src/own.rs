@@ -95,6 +95,16 @@ pub enum OwnScheme {
 ///
 /// # Errors
 /// [`Error::Unsupported`] lists the known names.
+///
+/// ```
+/// use moreau_gate::{Engine, Options, own};
+///
+/// let mut engine = own::by_name("anitescu")?;
+/// let description = engine.describe(&Options::new()).expect("it describes itself");
+/// assert_eq!(description.contact_model.law.as_deref(), Some("anitescu"));
+/// assert!(!description.restitution && own::by_name("no-such-engine").is_err());
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 pub fn by_name(name: &str) -> Result<OwnEngine> {
     let default = OwnParameters::default();
     let engine = |law, parameters, scheme: fn(&OwnParameters) -> Result<Box<dyn Scheme>>| OwnEngine {

@@ -59,6 +59,15 @@ struct Task {
 ///
 /// # Panics
 /// If a check panics, with its name: the mistake is the check's.
+///
+/// ```
+/// use moreau_gate::{Options, Plan, Verdict, checks, own, runner};
+///
+/// let checks = ["projection/regions", "ball/restitution"].map(|name| checks::find(name).expect("a check")).to_vec();
+/// let plan = Plan { checks, sweep: vec![0.01], options: Options::new(), jobs: 1, repeats: 1, progress: &|| {} };
+/// let report = runner::run(&|| Box::new(own::by_name("moreau-jean").expect("one of ours")), &plan).expect("it describes itself");
+/// assert_eq!((report.count(Verdict::Pass), report.is_bad()), (2, false));
+/// ```
 pub fn run(make: &(dyn Fn() -> Box<dyn Engine> + Sync), plan: &Plan) -> Reply<Report> {
     run_watched(make, plan, &|_, _, _| {})
 }

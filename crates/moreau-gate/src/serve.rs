@@ -28,6 +28,16 @@ struct Incoming {
 ///
 /// # Errors
 /// If reading or writing fails.
+///
+/// ```
+/// use moreau_gate::{own, serve::serve};
+///
+/// let requests = b"{\"protocol\": \"moreau-engine/1\", \"id\": 1, \"request\": \"describe\"}\n";
+/// let mut replies = Vec::new();
+/// serve(&mut own::by_name("moreau-jean")?, &requests[..], &mut replies, 1 << 20).expect("nothing to fail");
+/// assert!(String::from_utf8_lossy(&replies).contains("\"law\":\"coulomb\""));
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 pub fn serve(engine: &mut dyn Engine, mut input: impl BufRead, mut output: impl Write, limit: u64) -> std::io::Result<()> {
     loop {
         let mut line = Vec::new();

@@ -44,6 +44,15 @@ pub fn parse(unit: &str) -> Result<Dimension> {
 ///
 /// # Errors
 /// Those of [`parse`].
+///
+/// ```
+/// use moreau_gate::unit::scale;
+///
+/// // a damping of 2 N·s/m in millimetres and grams: m → 1000 mm, kg → 1000 g
+/// assert_eq!(scale("N*s/m", 1000.0, 1000.0, 1.0)?, 1000.0);
+/// assert!(scale("furlong", 1.0, 1.0, 1.0).is_err());
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 pub fn scale(unit: &str, length: f64, mass: f64, time: f64) -> Result<f64> {
     let exponents = parse(unit)?;
     Ok(length.powi(exponents.length) * mass.powi(exponents.mass) * time.powi(exponents.time))

@@ -136,6 +136,16 @@ pub const NAMES: [&str; ALL.len()] = {
 /// # Errors
 /// An unknown name (the message lists the known ones), or a parameter of the scheme outside its range: θ outside \[0, 1\], fewer than three
 /// directions, a negative softness, a material with a negative stiffness.
+///
+/// ```
+/// use moreau_replicas::schemes::{NAMES, SchemeParameters, by_name};
+///
+/// let parameters = SchemeParameters::default();
+/// assert!(NAMES.iter().all(|name| by_name(name, parameters).is_ok()));
+/// assert!(by_name("moreau-jean", parameters)?.has_restitution() && !by_name("anitescu", parameters)?.has_restitution());
+/// assert!(by_name("moreau-jean", SchemeParameters { theta: 1.5, ..parameters }).is_err());
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 pub fn by_name(name: &str, parameters: SchemeParameters) -> Result<Box<dyn Scheme>> {
     let unknown = || Error::invalid("scheme", format!("`{name}` is unknown"), format!("use one of {}", NAMES.join(", ")));
     let entry = ALL.iter().find(|entry| entry.name == name).ok_or_else(unknown)?;

@@ -23,6 +23,15 @@ pub trait StoredRuns: Sync {
 pub struct Folder(pub PathBuf);
 
 /// Stored runs that a program embeds, each a path and its text.
+///
+/// ```
+/// use moreau_replicas::stored::{Embedded, read};
+///
+/// static RUNS: Embedded = Embedded(&[("balls/drop.json", "[1.0, 0.5]")]);
+/// assert_eq!(read::<[f64; 2]>(&RUNS, "balls/drop.json")?, [1.0, 0.5]);
+/// assert!(read::<[f64; 2]>(&RUNS, "balls/other.json").is_err());
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Embedded(pub &'static [(&'static str, &'static str)]);
 

@@ -12,7 +12,7 @@ use std::path::PathBuf;
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
     /// The engine: a command with its arguments.
-    #[arg(last = true, value_name = "COMMAND", required_unless_present_any = ["trajectory", "list", "explain", "write_scenes"])]
+    #[arg(last = true, value_name = "COMMAND", required_unless_present_any = ["trajectory", "list", "explain", "failures", "write_scenes"])]
     pub command: Vec<String>,
     /// Judge stored trajectories instead of a program.
     #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "command")]
@@ -77,6 +77,10 @@ pub struct Arguments {
     /// Explain one check: question, derivation, control.
     #[arg(long, value_name = "CHECK")]
     pub explain: Option<String>,
+    /// Run nothing: replace the section between `<!-- failures -->` and `<!-- /failures -->` of this file with the likely causes of a failure
+    /// of each check; docs/failures.md is where it stands.
+    #[arg(long, value_name = "FILE", conflicts_with = "command")]
+    pub failures: Option<PathBuf>,
     /// Write the scenes of the sweep into this folder, each a scene/1, for simulators that are run elsewhere and judged with --trajectory;
     /// its index.json has the time step of each and how often to sample.
     #[arg(long, value_name = "FOLDER")]

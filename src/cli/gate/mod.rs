@@ -1,6 +1,7 @@
 //! `moreau gate`: any simulator through one set of checks.
 
 mod arguments;
+mod failures;
 mod list;
 mod scenes;
 mod selection;
@@ -12,7 +13,7 @@ use crate::files::write_together;
 use crate::gate::baseline::{Baseline, Change, ChangeKind};
 use crate::gate::conformance;
 use crate::gate::runner::{self, Plan};
-use crate::gate::{Engine, Options, Refusal, Report, Verdict};
+use crate::gate::{Refusal, Report, Verdict};
 use crate::report::gate::{junit, page, text};
 use crate::report::json::pretty;
 use crate::{Error, Result};
@@ -33,6 +34,9 @@ pub const CANNOT_RUN: u8 = 3;
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     if let Some(name) = &arguments.explain {
         return list::explain(name, arguments.format);
+    }
+    if let Some(file) = &arguments.failures {
+        return failures::write(file);
     }
     let checks = selection::checks(arguments)?;
     if arguments.list {

@@ -20,6 +20,17 @@ use crate::finding::Finding;
 use crate::tolerance::cone_projection as tolerance;
 
 /// Moreau's decomposition: `r ∈ K`, `z − r ∈ K°`, `r·(z − r) = 0`.
+///
+/// ```
+/// use moreau_checks::cone_projection::moreau_decomposition;
+/// use moreau_contact::cones::second_order;
+///
+/// let (point, friction) = ([1.0, 3.0, 0.0], 0.5);
+/// assert!(moreau_decomposition(second_order::project, &point, friction).iter().all(|finding| finding.holds()));
+/// // shortening friction to μ r_n ends in the cone too, at another point than the nearest
+/// let clip = |z: &mut [f64], mu: f64| z[1] = mu * z[0];
+/// assert!(!moreau_decomposition(clip, &point, friction).iter().all(|finding| finding.holds()));
+/// ```
 pub fn moreau_decomposition(subject: Projection, z: &[f64], mu: f64) -> Vec<Finding> {
     let r = apply(subject, z, mu);
     let rest = difference(z, &r);

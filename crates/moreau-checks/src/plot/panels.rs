@@ -59,6 +59,17 @@ const DASHES: [Option<(u32, u32)>; 4] = [None, Some((9, 4)), Some((2, 3)), Some(
 ///
 /// # Errors
 /// A point that is not finite, or a failure of the drawing backend.
+///
+/// ```
+/// use moreau_checks::plot::{Curve, Panel, Role, svg};
+///
+/// let curve = |points| Curve { label: "height".into(), role: Role::Computed, points };
+/// let panel = |points| [Panel { axis: "q / m".into(), curves: vec![curve(points)] }];
+/// let picture = svg("a ball", &panel(vec![(0.0, 1.0), (1.0, 0.0)]))?;
+/// assert!(picture.starts_with("<svg") && picture.contains("a ball"));
+/// assert!(svg("a ball", &panel(vec![(0.0, f64::NAN)])).is_err());
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 pub fn svg(title: &str, panels: &[Panel]) -> Result<String> {
     svg_with_note(title, "", panels)
 }

@@ -94,6 +94,19 @@ impl EventDriven {
     /// # Errors
     /// [`Error::Unsupported`] for a mechanism in space or with curved coordinates; [`Error::Solver`] where no contact forces exist or the
     /// events do not end; those of `solver`.
+    ///
+    /// ```
+    /// use moreau_contact::solvers::Auto;
+    /// use moreau_dynamics::event_driven::EventDriven;
+    /// use moreau_dynamics::mechanics::{PointMass, State};
+    /// use nalgebra::dvector;
+    ///
+    /// let ball = PointMass::ball_on_floor(1.0, 10.0, 1.0); // elastic: one period of a fall from 5 m is 2 s
+    /// let start = State { time: 0.0, position: dvector![5.0], velocity: dvector![0.0] };
+    /// let after = EventDriven::default().advance(&Auto, &ball, &start, 2.0)?;
+    /// assert!((after.state.position[0] - 5.0).abs() < 1e-9 && after.impacts.len() == 1);
+    /// # Ok::<(), moreau_exact::Error>(())
+    /// ```
     pub fn advance(&self, solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, duration: f64) -> Result<Passage> {
         self.check(mechanism, state, duration)?;
         afford(mechanism, &state.position, f64::INFINITY)?;

@@ -50,6 +50,16 @@ impl Projection<f64> {
 ///
 /// # Errors
 /// [`Error::Unsupported`] if W is singular.
+///
+/// ```
+/// use moreau_contact::problem::PlanarProblem;
+/// use moreau_dynamics::impact_laws::energy_projection::energy;
+/// use nalgebra::{dmatrix, dvector};
+///
+/// let two_kilograms = PlanarProblem::new(dmatrix![0.5], dvector![-3.0]);
+/// assert_eq!(energy(&two_kilograms, &two_kilograms.velocity)?, 18.0); // m v², twice ½ m v²
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 pub fn energy<T: Scalar>(impact: &PlanarProblem<T>, velocity: &DVector<T>) -> Result<T> {
     Ok(velocity.dot(&impulse_of(impact, velocity)?))
 }

@@ -18,6 +18,21 @@ use nalgebra::DVector;
 /// # Errors
 /// [`Error::Invalid`] for e outside \[0, 1\]; [`Error::Unsupported`] if W is singular, because the ratios then contradict each
 /// other or do not determine the impulses.
+///
+/// ```
+/// use moreau_contact::problem::PlanarProblem;
+/// use moreau_dynamics::impact_laws::newton::{together, uncoupled};
+/// use moreau_exact::scalar::{Rational, ratio};
+/// use nalgebra::{dmatrix, dvector};
+///
+/// // three equal balls in a row of contacts: one arrives at 1 m/s
+/// let [one, two, zero]: [Rational; 3] = [ratio(1, 1), ratio(2, 1), ratio(0, 1)];
+/// let row = PlanarProblem::new(dmatrix![two.clone(), -one.clone(); -one.clone(), two], dvector![-one.clone(), zero.clone()]);
+/// let elastic = [one.clone(), one.clone()];
+/// assert_eq!(together(&row, &elastic)?.after, dvector![one.clone(), zero]);
+/// assert_eq!(uncoupled(&row, &elastic)?.after, dvector![one.clone(), -one]); // the second contact now approaches
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 pub fn together<T: Scalar>(impact: &PlanarProblem<T>, restitution: &[T]) -> Result<Response<T>> {
     check_restitution(restitution, impact.velocity.len())?;
     let change = DVector::from_fn(impact.velocity.len(), |i, _| -(T::one() + restitution[i].clone()) * impact.velocity[i].clone());

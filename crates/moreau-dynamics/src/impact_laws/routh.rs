@@ -76,6 +76,21 @@ impl<T: Scalar> Path<T> {
     ///
     /// # Source
     /// Routh, *Dynamics of a System of Rigid Bodies* (1905); Wang and Mason, J. Appl. Mech. 59 (1992).
+    ///
+    /// ```
+    /// use moreau_contact::problem::PlanarProblem;
+    /// use moreau_dynamics::impact_laws::{newton, poisson, routh::Path};
+    /// use moreau_exact::scalar::ratio;
+    /// use nalgebra::{DMatrix, dvector};
+    ///
+    /// // a unit mass hits the floor at 1 m/s and slides at 1 m/s, μ = ½
+    /// let path = Path::new(PlanarProblem::new(DMatrix::identity(2, 2), dvector![ratio(-1, 1), ratio(1, 1)]), &ratio(1, 2))?;
+    /// assert_eq!(path.compression_end(), ratio(1, 1));
+    /// let e = ratio(1, 2);
+    /// assert_eq!(newton::along(&path, &e)?, poisson::along(&path, &e)?); // W is diagonal: the laws agree
+    /// assert_eq!(newton::along(&path, &e)?.after, dvector![ratio(1, 2), ratio(1, 4)]);
+    /// # Ok::<(), moreau_exact::Error>(())
+    /// ```
     pub fn new(impact: PlanarProblem<T>, friction: &T) -> Result<Self> {
         check(&impact, friction)?;
         let zero = T::zero();

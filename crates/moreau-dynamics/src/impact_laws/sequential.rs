@@ -17,6 +17,17 @@ use nalgebra::DVector;
 /// # Errors
 /// [`Error::Invalid`] for e outside \[0, 1\] or an order that names a contact that does not exist; [`Error::Solver`] if contacts
 /// still approach after [`SEQUENCE_LIMIT`] rounds: the sequence may be infinite.
+///
+/// ```
+/// use moreau_contact::problem::PlanarProblem;
+/// use moreau_dynamics::impact_laws::sequential::sequential;
+/// use nalgebra::{dmatrix, dvector};
+///
+/// let cradle = PlanarProblem::new(dmatrix![2.0, -1.0; -1.0, 2.0], dvector![-1.0, 0.0]); // three balls, two contacts
+/// let end = sequential(&cradle, &1.0, &[0, 1])?;
+/// assert_eq!(end.after, dvector![0.0, 1.0]); // the last ball alone leaves
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 pub fn sequential<T: Scalar>(impact: &PlanarProblem<T>, restitution: &T, order: &[usize]) -> Result<Response<T>> {
     check_restitution(std::slice::from_ref(restitution), 1)?;
     let contacts = impact.velocity.len();

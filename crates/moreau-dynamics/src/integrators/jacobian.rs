@@ -4,6 +4,14 @@ use moreau_exact::scalar::{Dual, Scalar};
 use nalgebra::{DMatrix, DVector};
 
 /// ∂f/∂x at a point, one row per entry of f; where f has a kink, column j is the derivative to the side of +e_j.
+///
+/// ```
+/// use moreau_dynamics::integrators::jacobian::jacobian;
+/// use nalgebra::{dmatrix, dvector};
+///
+/// let found = jacobian(&dvector![3.0, 5.0], |x| dvector![x[0].clone() * x[1].clone()]);
+/// assert_eq!(found, dmatrix![5.0, 3.0]);
+/// ```
 pub fn jacobian<T: Scalar>(at: &DVector<T>, map: impl Fn(&DVector<Dual<T>>) -> DVector<Dual<T>>) -> DMatrix<T> {
     let column = |j: usize| {
         let slope = |i: usize| if i == j { T::one() } else { T::zero() };

@@ -45,6 +45,16 @@ pub fn invariants<T: Scalar>(matrix: &DMatrix<T>) -> [T; 2] {
 ///
 /// # Panics
 /// If the matrix is not 2×2.
+///
+/// ```
+/// use moreau_dynamics::integrators::stability::{Powers, powers};
+/// use moreau_exact::scalar::ratio;
+/// use nalgebra::dmatrix;
+///
+/// // semi-implicit Euler on q̈ = −q, in s = h: stable below 2, and 2 itself grows
+/// let step = |s| dmatrix![ratio(1, 1) - ratio(s, 10) * ratio(s, 10), ratio(s, 10); -ratio(s, 10), ratio(1, 1)];
+/// assert_eq!([19, 20, 21].map(|s| powers(&step(s))), [Powers::Bounded, Powers::GrowLinearly, Powers::GrowExponentially]);
+/// ```
 pub fn powers<T: Scalar>(matrix: &DMatrix<T>) -> Powers {
     decided(
         || by_jury(matrix),

@@ -20,6 +20,19 @@ pub fn form<T: Scalar>(mass: &DMatrix<T>) -> DMatrix<T> {
 }
 
 /// DᵀJD − J, the zero matrix for a symplectic map.
+///
+/// ```
+/// use moreau_dynamics::integrators::{Method, Phase, RungeKutta, SemiImplicitEuler, SpringDamper, Damping, symplectic::defect};
+/// use moreau_exact::scalar::ratio;
+/// use nalgebra::DMatrix;
+///
+/// let (spring, now) = (SpringDamper::of_ratio(ratio(0, 1)), Phase::of_one(ratio(1, 1), ratio(0, 1)));
+/// let (h, mass) = (ratio(1, 10), DMatrix::from_element(1, 1, ratio(1, 1)));
+/// let symplectic = SemiImplicitEuler { damping: Damping::Explicit };
+/// let zero = DMatrix::from_element(2, 2, ratio(0, 1));
+/// assert_eq!(defect(&symplectic.jacobian(&spring, &now, &h), &mass), zero);
+/// assert_ne!(defect(&RungeKutta.jacobian(&spring, &now, &h), &mass), zero);
+/// ```
 pub fn defect<T: Scalar>(jacobian: &DMatrix<T>, mass: &DMatrix<T>) -> DMatrix<T> {
     let decide = || {
         let form = form(mass);

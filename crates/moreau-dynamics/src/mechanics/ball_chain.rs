@@ -19,6 +19,17 @@ impl BallChain {
     ///
     /// # Errors
     /// [`Error::Invalid`] if there is no ball, the lists differ in length, a mass or radius is not positive or e ∉ \[0, 1\].
+    ///
+    /// ```
+    /// use moreau_dynamics::mechanics::{BallChain, Mechanism};
+    /// use nalgebra::dvector;
+    ///
+    /// let two = BallChain::new(vec![1.0, 3.0], vec![0.5, 0.5], 1.0)?;
+    /// let contacts = two.contacts(&dvector![0.0, 1.25]); // centres on a line
+    /// assert_eq!((contacts.len(), contacts[0].gap), (1, 0.25));
+    /// assert!(BallChain::new(vec![-1.0], vec![0.5], 1.0).is_err());
+    /// # Ok::<(), moreau_exact::Error>(())
+    /// ```
     pub fn new(masses: Vec<f64>, radii: Vec<f64>, restitution: f64) -> Result<Self> {
         if masses.is_empty() || masses.len() != radii.len() {
             let problem = format!("has {} entries for {} balls", radii.len(), masses.len());

@@ -117,6 +117,15 @@ impl PointMass {
     ///
     /// # Panics
     /// If the mass is not positive, μ < 0 or e ∉ \[0, 1\]; use [`PointMass::new`] for numbers from outside.
+    ///
+    /// ```
+    /// use moreau_dynamics::mechanics::{Mechanism, PointMass};
+    /// use nalgebra::dvector;
+    ///
+    /// let block = PointMass::block_on_incline(1.0, 9.81, 0.3, 0.5, 0.0); // m, g, α, μ, e
+    /// let [contact] = &block.contacts(&dvector![2.0, 0.0])[..] else { panic!("one contact") };
+    /// assert_eq!((contact.gap, contact.friction), (0.0, 0.5)); // it touches the slope wherever it slides
+    /// ```
     pub fn block_on_incline(mass: f64, gravity: f64, angle: f64, friction: f64, restitution: f64) -> Self {
         let acceleration = dvector![gravity * angle.sin(), -gravity * angle.cos()];
         let built = Plane::new(dvector![0.0, 1.0], 0.0, friction, restitution)

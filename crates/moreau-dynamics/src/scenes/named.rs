@@ -27,6 +27,15 @@ const INCLINE: f64 = std::f64::consts::PI / 9.0;
 ///
 /// # Errors
 /// [`Error::Unsupported`] lists the known names.
+///
+/// ```
+/// use moreau_dynamics::scenes::{NAMES, named};
+///
+/// let (mechanism, start) = named("box-stack")?.mechanism()?;
+/// assert!(start.velocity.amax() == 0.0 && !mechanism.contacts(&start.position).is_empty());
+/// assert!(NAMES.iter().all(|name| named(name).is_ok()) && named("no-such-scene").is_err());
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 pub fn named(name: &str) -> Result<Scene> {
     match name {
         "ball-drop" => Ok(ball(name, "A 1 kg sphere falls 1 m onto the ground and stays.", 0.0)),

@@ -215,6 +215,14 @@ fn is_false(flag: &bool) -> bool {
 
 impl Body {
     /// A solid sphere at rest.
+    ///
+    /// ```
+    /// use moreau_dynamics::scenes::Body;
+    ///
+    /// let ball = Body::sphere("ball", 1.0, 0.1, [0.0, 0.0, 2.0]); // m, R, where
+    /// assert!(ball.is_free() && !ball.clone().fixed().is_free());
+    /// assert_eq!(ball.driven([0.0, 0.0, 1.0]).velocities()[0], [0.0, 0.0, 1.0]); // a lift, whatever stands on it
+    /// ```
     pub fn sphere(name: impl Into<String>, mass: f64, radius: f64, position: [f64; 3]) -> Self {
         Body {
             name: name.into(),

@@ -68,6 +68,21 @@ fn judged(step: Step, solver: &Certified) -> Step {
 ///
 /// # Errors
 /// Those of [`run`], or if the recording needs more memory than the limit.
+///
+/// ```
+/// use moreau_contact::solvers::Auto;
+/// use moreau_dynamics::mechanics::{PointMass, State};
+/// use moreau_dynamics::schemes::{MoreauJean, StewartTrinkle, simulate};
+/// use nalgebra::dvector;
+///
+/// let ball = PointMass::ball_on_floor(1.0, 10.0, 0.5); // m, g, e
+/// let start = State { time: 0.0, position: dvector![0.0], velocity: dvector![-3.0] };
+/// let bounced = simulate(&MoreauJean::default(), &Auto, &ball, start.clone(), 0.001, 1)?;
+/// assert!((bounced.last().velocity[0] - 1.5).abs() < 1e-9);
+/// let stopped = simulate(&StewartTrinkle::default(), &Auto, &ball, start, 0.001, 1)?; // it has no restitution
+/// assert!(stopped.last().velocity[0].abs() < 1e-9);
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 pub fn simulate(
     scheme: &dyn Scheme,
     solver: &dyn ContactSolver,

@@ -54,6 +54,16 @@ impl Stabilisation for Baumgarte {
 }
 
 /// What one step does to a violation, in any ordered field: a = 2αh and b² = β²h².
+///
+/// ```
+/// use moreau_dynamics::stabilisation::ViolationStep;
+/// use moreau_exact::scalar::ratio;
+///
+/// let critical = ViolationStep { damping: ratio(1, 1), stiffness: ratio(1, 1) };
+/// let [violation, rate] = critical.advance(&critical.advance(&[ratio(5, 1), ratio(-2, 1)]));
+/// assert_eq!((violation, rate), (ratio(0, 1), ratio(0, 1))); // every violation ends in two steps
+/// assert!(!ViolationStep { damping: ratio(2, 1), stiffness: ratio(1, 1) }.decays()); // 2a + b² = 5 is not below 4
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ViolationStep<T> {
     /// a = 2αh.

@@ -6,6 +6,15 @@
 use moreau_exact::{Error, Result};
 
 /// A polyline (t_i, y_i) with t₀ ≤ t₁ ≤ …; equal neighbouring times are a jump.
+///
+/// ```
+/// use moreau_dynamics::trajectory::Graph;
+///
+/// let impact = Graph::new(vec![[0.0, 0.0], [1.0, -10.0], [1.0, 5.0], [2.0, -5.0]])?; // (t, v) of a ball, with its jump
+/// assert_eq!((impact.span(), impact.variation()), ([0.0, 2.0], 35.0));
+/// assert!(Graph::new(vec![[1.0, 0.0], [0.0, 0.0]]).is_err()); // time runs backwards
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Graph {
     points: Vec<[f64; 2]>,

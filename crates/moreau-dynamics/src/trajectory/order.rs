@@ -69,6 +69,15 @@ pub fn estimate_order(
 ///
 /// # Errors
 /// [`Error::Unsupported`] with fewer than two levels, equal steps, or an error that is not positive and finite.
+///
+/// ```
+/// use moreau_dynamics::trajectory::{Refinement, fit_order};
+///
+/// let levels = [0.1, 0.05, 0.025].map(|time_step: f64| Refinement { time_step, error: 3.0 * time_step * time_step });
+/// let order = fit_order(levels.to_vec())?;
+/// assert!((order.slope - 2.0).abs() < 1e-9 && order.spread < 1e-9);
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 pub fn fit_order(levels: Vec<Refinement>) -> Result<OrderEstimate> {
     if levels.len() < 2 || levels.iter().any(|level| !(level.error.is_finite() && level.error > 0.0 && level.time_step > 0.0)) {
         return Err(Error::Unsupported("an order needs at least two levels with positive finite errors".into()));

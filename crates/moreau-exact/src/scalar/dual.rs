@@ -16,6 +16,14 @@ use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// A number and its derivative along one direction.
+///
+/// ```
+/// use moreau_exact::scalar::{Dual, ratio};
+///
+/// let x = Dual { value: ratio(3, 1), slope: ratio(1, 1) }; // x = 3, and dx/dx = 1
+/// let square = x.clone() * x;
+/// assert_eq!((square.value, square.slope), (ratio(9, 1), ratio(6, 1))); // x² = 9, and its derivative 2x
+/// ```
 #[derive(Clone, Debug, PartialEq, PartialOrd)]
 pub struct Dual<T> {
     /// x.

@@ -85,6 +85,13 @@ pub fn ratio(numerator: i64, denominator: i64) -> Rational {
 ///
 /// # Panics
 /// If the number is NaN or infinite.
+///
+/// ```
+/// use moreau_exact::scalar::{exact, ratio};
+///
+/// assert_eq!(exact(0.5), ratio(1, 2));
+/// assert_ne!(exact(0.1), ratio(1, 10)); // the float next to a tenth is another number
+/// ```
 pub fn exact(number: f64) -> Rational {
     RBig::try_from(number).expect("only finite numbers are rational")
 }

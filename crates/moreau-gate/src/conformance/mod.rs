@@ -41,6 +41,16 @@ impl Conformance {
 
 /// What the probes of the description, of motion and of contact impulses find wrong with an engine under these options; nothing of an
 /// engine that does not describe itself, which a run will tell.
+///
+/// ```
+/// use moreau_gate::{Engine, Options, conformance::misreported, own, planted};
+///
+/// let told = |mut engine: Box<dyn Engine>| misreported(engine.as_mut(), &Options::new()).len();
+/// assert_eq!(told(Box::new(own::by_name("moreau-jean")?)), 0);
+/// let late = planted::find("flight/samples-a-step-late").expect("planted");
+/// assert!(told((late.subject.engine)()) > 0);
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 pub fn misreported(engine: &mut dyn Engine, options: &Options) -> Vec<Probe> {
     let Ok(description) = engine.describe(options) else { return Vec::new() };
     let mut probes = Vec::new();

@@ -85,6 +85,13 @@ pub const BREAKING_THRESHOLD: f64 = 0.02;
 pub const SPLIT_DEPTH: f64 = -0.04;
 
 /// Gap \[m\] at which contact points of a sphere with this radius begin.
+///
+/// ```
+/// use moreau_replicas::bullet::{Bullet, sphere_margin};
+///
+/// assert_eq!(Bullet::default().margin, sphere_margin(0.1));
+/// assert!((sphere_margin(0.1) - 0.00346).abs() < 1e-5); // m: contacts begin 3.5 mm before they close
+/// ```
 pub fn sphere_margin(radius: f64) -> f64 {
     BREAKING_THRESHOLD * 3f64.sqrt() * radius
 }

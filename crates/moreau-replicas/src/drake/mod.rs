@@ -41,6 +41,13 @@ pub const NAMES: [&str; 4] = ["drake-sap", "drake-similar", "drake-lagged", "dra
 ///
 /// # Errors
 /// [`Error::Invalid`] for another name, or a material that is none.
+///
+/// ```
+/// use moreau_replicas::drake::{Material, NAMES, by_name};
+///
+/// assert!(NAMES.iter().all(|name| by_name(name, Material::default()).is_ok()));
+/// assert!(by_name("drake-sap", Material { stiffness: -1.0, ..Material::default() }).is_err());
+/// ```
 pub fn by_name(name: &str, material: Material) -> Result<Box<dyn Scheme>> {
     material.validate()?;
     match name {

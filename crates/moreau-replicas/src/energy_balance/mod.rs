@@ -66,6 +66,16 @@ impl Balance {
     ///
     /// # Errors
     /// Those of [`crate::schemes::by_name`] for an unknown name or for parameters that are not valid.
+    ///
+    /// ```
+    /// use moreau_replicas::energy_balance::Balance;
+    /// use moreau_replicas::schemes::SchemeParameters;
+    ///
+    /// let parameters = SchemeParameters::default();
+    /// assert!(Balance::of("moreau-jean", &parameters)?.is_theorem());
+    /// assert!(Balance::of("no-such-scheme", &parameters).is_err());
+    /// # Ok::<(), moreau_exact::Error>(())
+    /// ```
     pub fn of(name: &str, parameters: &SchemeParameters) -> Result<Self> {
         crate::schemes::by_name(name, *parameters)?;
         let newton = Shift::Newton { full: false };

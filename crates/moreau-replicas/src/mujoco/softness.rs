@@ -98,6 +98,15 @@ impl Softness {
     }
 
     /// k \[1/s²\] and b \[1/s\] at a step h \[s\].
+    ///
+    /// ```
+    /// use moreau_replicas::mujoco::Softness;
+    ///
+    /// let soft = Softness::STANDARD; // t_c = 0.02 s
+    /// assert_eq!(soft.stiffness_and_damping(0.001), soft.stiffness_and_damping(0.01));
+    /// let [fine, coarse] = [0.01, 0.02].map(|h| soft.stiffness_and_damping(h)[0]);
+    /// assert!((fine / coarse - 4.0).abs() < 1e-12); // beyond h = t_c/2 `refsafe` softens the contact
+    /// ```
     pub fn stiffness_and_damping(&self, h: f64) -> [f64; 2] {
         let end = limited(self.impedance[1]);
         let [first, second] = self.reference;

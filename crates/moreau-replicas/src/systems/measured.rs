@@ -28,6 +28,14 @@ impl Measured {
     }
 
     /// Of several comparisons the one that comes closest to its tolerance, or exceeds it most; one that is not a number before all others.
+    ///
+    /// ```
+    /// use moreau_replicas::systems::Measured;
+    ///
+    /// let [near, far] = [Measured::within(1e-9, 1e-8), Measured::within(2e-9, 4e-9)];
+    /// assert_eq!(Measured::worst([near, far.clone()]), Some(far)); // the one that uses most of its bound
+    /// assert!(!Measured::within(f64::NAN, 1.0).holds());
+    /// ```
     pub fn worst(comparisons: impl IntoIterator<Item = Measured>) -> Option<Measured> {
         let rank = |one: &Measured| if one.difference == 0.0 { 0.0 } else { one.used().unwrap_or(f64::INFINITY) };
         comparisons.into_iter().max_by(|a, b| rank(a).total_cmp(&rank(b)))

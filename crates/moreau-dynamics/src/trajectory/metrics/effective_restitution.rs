@@ -5,6 +5,12 @@
 /// An impact is a run of samples in which the velocity rises; v⁻ is the velocity before the run and v⁺ after it. Runs
 /// that start at a speed below `threshold` \[m/s\] are resting contact and left out. Gravity acts during the run, so
 /// that a scheme with step h and exact restitution shows e with an error of at most g · (length of the run)/|v⁻|.
+///
+/// ```
+/// use moreau_dynamics::trajectory::metrics::effective_restitutions;
+///
+/// assert_eq!(effective_restitutions(&[-1.0, -2.0, 1.0, 0.0, -1.0, 0.5], 0.1), [0.5, 0.5]);
+/// ```
 pub fn effective_restitutions(velocities: &[f64], threshold: f64) -> Vec<f64> {
     let mut found = Vec::new();
     let mut k = 0;

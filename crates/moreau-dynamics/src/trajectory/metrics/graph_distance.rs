@@ -34,6 +34,19 @@ pub struct GraphDistance {
 ///
 /// # Source
 /// Moreau's distance of graphs for functions of bounded variation; chapter §0–§1.
+///
+/// ```
+/// use moreau_dynamics::trajectory::Graph;
+/// use moreau_dynamics::trajectory::metrics::{Normalisation, graph_distance, velocity_sup};
+///
+/// // the same jump of 3 m/s, a hundredth of a second later
+/// let jump = |at: f64| Graph::new(vec![[0.0, -2.0], [at, -2.0], [at, 1.0], [2.0, 1.0]]);
+/// let (one, other) = (jump(1.0)?, jump(1.01)?);
+/// let distance = graph_distance(&one, &other, Normalisation { time: 1.0, speed: 1.0 })?;
+/// assert!((distance.upper - 0.01).abs() < 1e-6); // near as graphs
+/// assert_eq!(velocity_sup(&one, &other), 3.0); // far apart in the maximum norm
+/// # Ok::<(), moreau_exact::Error>(())
+/// ```
 pub fn graph_distance(a: &Graph, b: &Graph, normalisation: Normalisation) -> Result<GraphDistance> {
     let tree_a = SegmentTree::new(a.scaled(normalisation.time, normalisation.speed)?.points());
     let tree_b = SegmentTree::new(b.scaled(normalisation.time, normalisation.speed)?.points());
