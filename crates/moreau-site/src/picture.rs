@@ -1,6 +1,6 @@
 //! One picture of the site: the question that it answers, and how it is drawn.
 
-use crate::{Language, Words};
+use crate::words::{Language, Words};
 use moreau_exact::Result;
 
 /// A picture with what a reader needs to trust it.

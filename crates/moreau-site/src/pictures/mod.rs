@@ -1,6 +1,6 @@
 //! The pictures, one question each.
 
-use crate::Picture;
+use crate::picture::Picture;
 
 mod ball;
 mod cones;

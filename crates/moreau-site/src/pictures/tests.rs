@@ -1,7 +1,7 @@
 //! What every picture has to be.
 
 use super::PICTURES;
-use crate::Language;
+use crate::words::Language;
 use std::collections::BTreeSet;
 
 /// The largest picture [bytes].
