@@ -10,7 +10,8 @@
   const state = { sample: 0, last: 1, h: 1, playing: false, begun: 0, from: 0, asked: 0, panels: new Map() };
 
   const plain = (value) => Number(value.toFixed(6)).toFixed(6).replace(/\.?0+$/, "").replace(/^-0$/, "0");
-  const short = (value) => value === null ? "–" : value === Infinity ? "NaN" : value === 0 ? "0" : value.toExponential(1).replace(".0e", "e");
+  const digits = (value) => value === 0 ? "0" : value.toExponential(1).replace(".0e", "e");
+  const short = (value) => value === null ? "–" : value === Infinity ? "NaN" : digits(value);
   const scene = () => scenes.find((one) => one.id === $("scene").value);
   const scheme = (panel) => panel === "coulomb" ? $("scheme").value : $(panel).dataset.scheme;
   const entry = (id) => schemes.find((one) => one.id === id);
@@ -99,7 +100,8 @@
     if (!k) return ["", texts.start];
     if (!kind) return ["", texts.nothing];
     const word = [texts.accepted, texts.unconverged, texts.rejected][kind - 1];
-    const told = `${word}; ${texts.largest} ${short(run.relative[k])} (${residual(run.word[k])}, ${texts.limit} ${short(run.limit)})`;
+    const limit = `${texts.limit} ${short(run.limit)}`;
+    const told = `${word}; ${texts.largest} ${short(run.relative[k])} (${residual(run.word[k])}, ${limit})`;
     return [["pass", "difference", "fail"][kind - 1], told];
   };
   const numbers = (run, k) => {

@@ -8,9 +8,9 @@
 //! computes them in the browser could stand in for the stored ones.
 //!
 //! For programs that drive the page: `#explorer` gets `data-ready`, another number after every choice that is drawn; the controls are
-//! `#explorer-scene`, `-scheme`, `-theta`, `-restitution`, `-friction`, `-step`, `-time`, `-play`, `-back`, `-on` and `-speed`, the line for
-//! readers aloud `-numbers`; a panel is `#explorer-P` with `-P-certificate`, `-P-refusal`, `-P-motion`, `-P-cone`, `-P-gap`, `-P-energy`,
-//! `-P-natural`, `-P-numbers`, `-P-note` and `-P-command`, P one of `coulomb`, `anitescu`, `sap` and `mujoco`.
+//! `#explorer-scene`, `-scheme`, `-theta`, `-restitution`, `-friction`, `-step`, `-time`, `-play`, `-back`, `-on` and `-speed`, the
+//! line that is read aloud `-numbers`; a panel is `#explorer-P` with `-P-certificate`, `-P-refusal`, `-P-motion`, `-P-cone`, `-P-gap`,
+//! `-P-energy`, `-P-natural`, `-P-numbers`, `-P-note` and `-P-command`, P one of `coulomb`, `anitescu`, `sap` and `mujoco`.
 //!
 //! ```no_run
 //! use moreau_site::{Language, explorer};

@@ -145,19 +145,3 @@ fn every_text_is_there_in_both_languages_and_every_line_of_a_program_is_short() 
         assert!(text.lines().count() < 400 && text.lines().all(|line| line.chars().count() <= 140), "{name}");
     }
 }
-
-#[test]
-#[ignore]
-fn measure() {
-    let start = std::time::Instant::now();
-    let files = files(&|_, _| {}).expect("valid scenes");
-    println!("{:?}", start.elapsed());
-    std::fs::create_dir_all("/tmp/explorer/explorer").expect("x");
-    for (name, text) in &files {
-        println!("{name} {}", text.len());
-        std::fs::write(format!("/tmp/explorer/explorer/{name}"), text).expect("x");
-    }
-    for (language, name) in [(crate::Language::English, "en"), (crate::Language::Chinese, "zh")] {
-        std::fs::write(format!("/tmp/explorer/{name}.html"), page(language, "explorer/")).expect("x");
-    }
-}
