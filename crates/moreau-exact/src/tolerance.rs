@@ -6,7 +6,6 @@ pub const EPSILON: f64 = f64::EPSILON;
 
 /// Bound on the rounding error of a sum of `terms` products whose absolute values sum to `magnitude`:
 /// γ_n·Σ|aᵢbᵢ| ≤ 2 n ε Σ|aᵢbᵢ| (Higham, *Accuracy and Stability*, §3.1; n ε < ½ holds for all sizes used here).
-/// Derived.
 ///
 /// ```
 /// use moreau_exact::tolerance::rounding;
@@ -15,6 +14,7 @@ pub const EPSILON: f64 = f64::EPSILON;
 /// let sum: f64 = parts.iter().sum();
 /// assert!(sum != 1.0 && (sum - 1.0).abs() <= rounding(10, 1.0));
 /// ```
+/// Derived.
 pub fn rounding(terms: usize, magnitude: f64) -> f64 {
     2.0 * terms as f64 * EPSILON * magnitude
 }

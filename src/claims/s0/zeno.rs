@@ -19,8 +19,8 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Certified,
         correct_statement: r"As stated, without a rule of continuation. In exact arithmetic every landing advances the clock and none
             reaches $T_\infty$; in floating point the clock stands still, at $T_\infty$ to rounding, once a flight is shorter than half
-            the spacing of floats there. A minimum interval ends the loop after $\lceil\ln(\delta/2t_1)/\ln e\rceil$ landings, and the infinitely
-            many bounces can also be summed in closed form.",
+            the spacing of floats there. A minimum interval ends the loop after
+            $\lceil\ln(\delta/2t_1)/\ln e\rceil$ landings, and the infinitely many bounces can also be summed in closed form.",
         argument: r"With $t_1 = 1$ the $k$-th flight lasts $2e^k$ and $T_\infty = (1 + e)/(1 - e)$. For $e = 4/5$, rationals: after 400
             flights $T_\infty - t = 10\cdot(4/5)^{401} > 0$ and every landing advanced the clock. Floats: $2\cdot0.8^k$ falls below half
             the spacing $2^{-49}$ of the floats near 9 at $k = 159$, and the clock stops.",

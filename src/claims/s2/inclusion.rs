@@ -62,8 +62,8 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: r"$-R \in N_{T_C(q)}(v^+)$ iff $v^+ \in T_C(q)$ and $R = \lambda\nabla\varphi$ with $\lambda \ge 0$,
             $\lambda\varphi = 0$ and $\lambda\,\nabla\varphi\cdot v^+ = 0$.",
         argument: r"$T$ is a cone, so $\langle g, v\rangle = 0$ and $\langle g, w\rangle \le 0$ on its generators $\nabla\varphi$ and
-            $\pm\nabla\varphi^\bot$; the latter force $g \parallel \nabla\varphi$, the former its sign. On a grid of velocities and a grid of forces, open and
-            closed contact, definition and characterisation agree in all 6050 cases.",
+            $\pm\nabla\varphi^\bot$; the latter force $g \parallel \nabla\varphi$, the former its sign. On a grid of velocities and a grid
+            of forces, open and closed contact, definition and characterisation agree in all 6050 cases.",
         controls: &[r"The characterisation without $\lambda\,\nabla\varphi\cdot v^+ = 0$."],
         sources: &["chapter §2, step 3"],
         check: check!(three_in_one),

@@ -51,8 +51,8 @@ pub const CLAIMS: &[Claim] = &[
             $-\dot q \in N$. Second order without friction, $C = \{q \ge 0\}$, $e = 1/2$, $q(0) = 0$, $v(0) = 0$: a point pulled to the
             floor stays there. If the pull alternates between 1 and 16 m/s² it also bounces away: a flight up under 1 and down under 16
             lands 4 times as fast as it left, leaves 2 times as fast as before, and backwards in time the flights shrink to the start.
-            Under a constant pull they do not. Second order with friction: $W = \begin{bmatrix}1 & 2 \\ 2 & 5\end{bmatrix}$, $\mu = 1$, free motion $(1, 10)$ admits
-            $r = (0, 0)$, (1,−1) and (15,−8): separation, sliding contact, impact (Painlevé).",
+            Under a constant pull they do not. Second order with friction: $W = \begin{bmatrix}1 & 2 \\ 2 & 5\end{bmatrix}$,
+            $\mu = 1$, free motion $(1, 10)$ admits $r = (0, 0)$, (1,−1) and (15,−8): separation, sliding contact, impact (Painlevé).",
         controls: &[
             r"A constant pull, and $W$ diagonal.",
             r"The set $|q| \ge t$ in place of the interval, the pull that alternates and the $W$ that jams in place of those that do

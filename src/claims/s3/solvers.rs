@@ -59,8 +59,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: r"$\operatorname{cond}(W + \rho I) = (\lambda_\text{max} + \rho)/(\lambda_\text{min} + \rho)$, which decreases with
-            $\rho \ge 0$ (strictly unless all eigenvalues are equal).",
+        correct_statement: r"$\operatorname{cond}(W + \rho I) = (\lambda_\text{max} + \rho)/(\lambda_\text{min} + \rho)$, which
+            decreases with $\rho \ge 0$ (strictly unless all eigenvalues are equal).",
         argument: r"The derivative in $\rho$ is $(\lambda_\text{min} - \lambda_\text{max})/(\lambda_\text{min} + \rho)^2 \le 0$. Two
             nearly parallel contacts, $W = (1, 0.999; 0.999, 1)$ with eigenvalues 1.999 and 0.001: the condition number is 1999, 183, 20.8
             and 3.0 for $\rho = 0$, 0.01, 0.1 and 1.",

@@ -77,8 +77,8 @@ pub struct Arguments {
     /// Explain one check: question, derivation, control.
     #[arg(long, value_name = "CHECK")]
     pub explain: Option<String>,
-    /// Run nothing: replace the section between `<!-- failures -->` and `<!-- /failures -->` of this file with the likely causes of a failure
-    /// of each check; docs/failures.md is where it stands.
+    /// Run nothing: replace the section between `<!-- failures -->` and `<!-- /failures -->` of this file with the likely causes of a
+    /// failure of each check; docs/failures.md is where it stands.
     #[arg(long, value_name = "FILE", conflicts_with = "command")]
     pub failures: Option<PathBuf>,
     /// Write the scenes of the sweep into this folder, each a scene/1, for simulators that are run elsewhere and judged with --trajectory;

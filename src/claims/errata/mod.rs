@@ -1,4 +1,5 @@
-//! The errata in Chinese, for the authors and readers of the chapter: `errata.zh.toml`, an entry for every claim that does not hold as printed.
+//! The errata in Chinese, for the authors and readers of the chapter: `errata.zh.toml`, an entry for every claim that does
+//! not hold as printed.
 
 use super::PLACES;
 use serde::Deserialize;
