@@ -17,10 +17,8 @@ const CONTROLS: Words = Words { en: "Controls: other subjects under the same che
 const OTHER_VERDICT: Words = Words { en: "with this control the verdict is: ", zh: "用此对照得到的结论是:" };
 const OTHERWISE: Words = Words { en: "with this control something else is found", zh: "用此对照得到不同的结果" };
 const PLACE: Words = Words { en: "Place in the chapter", zh: "在本章中的位置" };
-const PARAGRAPH: Words = Words {
-    en: "{0}paragraph {1} (line {2}, {3} % of the text): ",
-    zh: "{0}第 {1} 段(第 {2} 行,全文 {3} % 处):",
-};
+const PARAGRAPH: Words =
+    Words { en: "{0}paragraph {1} (line {2}, {3} % of the text): ", zh: "{0}第 {1} 段(第 {2} 行,全文 {3} % 处):" };
 const ABSENT: Words = Words { en: "Not in the chapter: ", zh: "本章没有这句话:" };
 const SOURCES: Words = Words { en: "Sources", zh: "来源" };
 const CHECK: Words = Words { en: "Check", zh: "检查函数" };

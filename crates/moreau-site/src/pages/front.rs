@@ -150,8 +150,9 @@ pub fn systems(view: &View) -> String {
 
 /// How the engines stand.
 pub fn board(view: &View) -> String {
-    let standings = &view.report.standings;
-    let count = |verdict: Gate| -> usize { standings.iter().filter_map(|one| one.report.as_ref()).map(|report| report.count(verdict)).sum() };
+    let standings = view.report.standings;
+    let count =
+        |verdict: Gate| -> usize { standings.iter().filter_map(|one| one.report.as_ref()).map(|report| report.count(verdict)).sum() };
     let bad = count(Gate::Fail) + count(Gate::Errored);
     let checks = moreau_gate::checks::all().count();
     view.tell(BOARD, &[&standings.len(), &checks, &count(Gate::Pass), &count(Gate::Difference), &bad])

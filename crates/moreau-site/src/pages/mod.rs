@@ -64,10 +64,8 @@ fn pages(report: &Report, language: Language) -> Vec<File> {
         ("obtained.html", obtained::page),
         ("summary.html", summary::page),
     ];
-    let write = |file: &str, page: &dyn Fn(&View) -> String| File {
-        path: path(file, language),
-        text: page(&View { report, language, file }),
-    };
+    let write =
+        |file: &str, page: &dyn Fn(&View) -> String| File { path: path(file, language), text: page(&View { report, language, file }) };
     let mut files: Vec<File> = fixed.iter().map(|(file, page)| write(file, page)).collect();
     let of = |section| move |view: &View| section::page(view, section);
     files.extend(report.sections.iter().map(|section| write(&section_file(&section.group), &of(section))));

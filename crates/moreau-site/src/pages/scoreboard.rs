@@ -37,7 +37,7 @@ const ORDER: [Verdict; 5] = [Verdict::Fail, Verdict::Errored, Verdict::Unsupport
 
 /// The page.
 pub fn page(view: &View) -> String {
-    let standings = &view.report.standings;
+    let standings = view.report.standings;
     let body = html! {
         h1 { (view.say(TITLE)) }
         p { (view.say(LEAD)) " " a href="obtained.html#scoreboard" { (view.say(OBTAINED)) } }
@@ -77,7 +77,9 @@ fn mark(verdict: Verdict) -> &'static str {
 fn meaning(verdict: Verdict) -> Words {
     match verdict {
         Verdict::Pass => Words { en: "as Coulomb–Signorini demands", zh: "符合 Coulomb–Signorini 定律" },
-        Verdict::Difference => Words { en: "different, as the engine’s declared law predicts", zh: "有差异,与引擎声明的定律一致" },
+        Verdict::Difference => {
+            Words { en: "different, as the engine’s declared law predicts", zh: "有差异,与引擎声明的定律一致" }
+        }
         Verdict::Fail => Words { en: "fails", zh: "失败" },
         Verdict::Errored => Words { en: "errored", zh: "出错" },
         Verdict::Unsupported => Words { en: "the engine does not do this", zh: "引擎不支持" },

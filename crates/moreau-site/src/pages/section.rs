@@ -58,8 +58,10 @@ fn neighbours(view: &View, section: &Section) -> Markup {
     let sections = &view.report.sections;
     let at = sections.iter().position(|one| one.group == section.group).unwrap_or(0);
     let before = at.checked_sub(1).and_then(|at| sections.get(at));
-    let link = |word: Words, to: Option<&Section>| html! {
-        @if let Some(to) = to { a href=(section_file(&to.group)) { (view.say(word)) ": " (title(view, to)) } }
+    let link = |word: Words, to: Option<&Section>| {
+        html! {
+            @if let Some(to) = to { a href=(section_file(&to.group)) { (view.say(word)) ": " (title(view, to)) } }
+        }
     };
     html! {
         nav.neighbours aria-label=(view.say(OTHER_SECTIONS)) { (link(BEFORE, before)) (link(NEXT, sections.get(at + 1))) }

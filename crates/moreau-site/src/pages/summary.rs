@@ -17,7 +17,8 @@ const HOW: Words = Words {
          must lead to another verdict.",
     zh: "{0} 条论断各有一个会计算的检查:精确分数、带推导误差界的闭式解、引擎的已存运行结果,或查证的事实。结论由检查结果推出。对照(用同一检查考察其他对象)必须得到不同的结论。",
 };
-const CONTRADICTED: Words = Words { en: "Not supported by what was found in this run: {0}.", zh: "本次运行中与所得结果不符的论断:{0} 条。" };
+const CONTRADICTED: Words =
+    Words { en: "Not supported by what was found in this run: {0}.", zh: "本次运行中与所得结果不符的论断:{0} 条。" };
 const BROKEN: Words = Words { en: "Theorems that do not hold as printed", zh: "如所述不成立的定理" };
 const OTHER: Words = Words { en: "Other false or inconsistent sentences", zh: "其他不成立或自相矛盾的句子" };
 const ELSEWHERE: Words = Words { en: "What else was checked", zh: "其他检验" };

@@ -33,7 +33,9 @@ impl Parts {
 fn report<'a>(text: &str, parts: &'a Parts) -> Report<'a> {
     let sections = vec![section("S4"), section("R")];
     let mut claims: Vec<ClaimEntry> = Vec::new();
-    for (k, verdict) in [Verdict::True, Verdict::Conditional, Verdict::False, Verdict::Inconsistent, Verdict::Ambiguous].into_iter().enumerate() {
+    for (k, verdict) in
+        [Verdict::True, Verdict::Conditional, Verdict::False, Verdict::Inconsistent, Verdict::Ambiguous].into_iter().enumerate()
+    {
         claims.push(claim(&format!("S4.{k}"), "S4", verdict, text));
         claims.push(claim(&format!("R{k}"), "R", verdict, text));
     }
@@ -79,14 +81,7 @@ fn claim(id: &str, group: &str, verdict: Verdict, text: &str) -> ClaimEntry {
             ControlEntry { subject: text.into(), verdict: Some(Verdict::True), findings: vec![finding(text, None)] },
             ControlEntry { subject: text.into(), verdict: None, findings: Vec::new() },
         ],
-        places: vec![PlaceEntry {
-            section: "§4".into(),
-            heading: text.into(),
-            paragraph: 1,
-            line: 2,
-            percent: 3,
-            words: text.into(),
-        }],
+        places: vec![PlaceEntry { section: "§4".into(), heading: text.into(), paragraph: 1, line: 2, percent: 3, words: text.into() }],
         absent: Some(text.into()),
         sources: vec![text.into()],
         check: text.into(),
@@ -220,7 +215,8 @@ fn every_link_and_every_anchor_leads_somewhere() {
     assert_eq!(lost(&files), Vec::<String>::new());
     assert!(pages(&files).count() >= 24);
     let front = files.iter_mut().find(|file| file.path == "zh/index.html").expect("the Chinese front page");
-    front.text = front.text.replace(" href=\"claims.html#verdict=true\"", " href=\"claim.html\"").replace("section-R.html", "section-Q.html");
+    front.text =
+        front.text.replace(" href=\"claims.html#verdict=true\"", " href=\"claim.html\"").replace("section-R.html", "section-Q.html");
     assert_eq!(lost(&files), ["zh/index.html: claim.html", "zh/index.html: section-Q.html"], "the test sees links that lead nowhere");
 }
 
@@ -274,7 +270,9 @@ fn heard(page: &str, other: &str) -> String {
             if silent.last() == Some(&name) {
                 silent.pop();
             }
-        } else if !void && (!silent.is_empty() && silent.last() == Some(&name) || tag.contains(&format!("lang=\"{other}\"")) || name == "code") {
+        } else if !void
+            && (!silent.is_empty() && silent.last() == Some(&name) || tag.contains(&format!("lang=\"{other}\"")) || name == "code")
+        {
             silent.push(name);
         }
         if silent.is_empty() {
@@ -306,7 +304,10 @@ fn a_chinese_page_says_nothing_in_english() {
         let found: Vec<_> = english_words(&page.text).into_iter().filter(|word| !checks.contains(word.as_str())).collect();
         assert_eq!(found, Vec::<String>::new(), "{}", page.path);
     }
-    assert_eq!(english_words("<body><p>这里 some words</p><span lang=\"en\">not <b>this</b></span><i aria-label=\"that\"></i>"), ["some", "words", "that"]);
+    assert_eq!(
+        english_words("<body><p>这里 some words</p><span lang=\"en\">not <b>this</b></span><i aria-label=\"that\"></i>"),
+        ["some", "words", "that"]
+    );
 }
 
 #[test]

@@ -45,11 +45,6 @@ impl View<'_> {
         }
     }
 
-    /// The path of the page from the folder of the report.
-    pub fn path(&self) -> String {
-        path(self.file, self.language)
-    }
-
     /// A link from this page to a file that both languages share.
     pub fn shared(&self, file: &str) -> String {
         match self.language {
