@@ -61,7 +61,7 @@
 //! let claim = claims::find("S4.copos-plus").expect("registered");
 //! let outcome = claims::judge(claim);
 //! assert_eq!((claim.verdict, outcome.status), (ClaimVerdict::False, Status::Supported));
-//! println!("{}: {}", outcome.findings[0].name, claim.correct_statement);
+//! println!("{}: {}", outcome.findings[0].name, claim.correct_statement());
 //! ```
 
 pub mod board;

@@ -4,7 +4,7 @@
 
 pub use moreau_checks::{
     Bearing, Expectation, Finding, FindingOrigin, Relation, Stated, Value, Voice, answers, cone_projection, convergence, decisions,
-    delassus, energy, forms, planted, readers, stewart_trinkle, text, zeno,
+    delassus, energy, forms, formula, planted, readers, stewart_trinkle, text, zeno,
 };
 pub use moreau_replicas::bullet::steps as bullet_steps;
 pub use moreau_replicas::drake::replay as drake_replay;

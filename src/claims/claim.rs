@@ -2,6 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
+use crate::checks::formula::unicode;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -178,11 +179,14 @@ macro_rules! check {
 pub(crate) use check;
 
 /// One claim of the chapter.
+///
+/// Its texts hold formulas in TeX between dollar signs. A terminal and JSON get them in Unicode, from the methods; a page gets them from
+/// `formula::html`.
 pub struct Claim {
     /// Identifier: `group.name`, for instance `S4.copos-plus`, or a numbered row of a table, `R6`.
     pub id: &'static str,
     /// What the chapter says, with its own hedges.
-    pub statement: &'static str,
+    pub(crate) statement: &'static str,
     /// The verdict in force.
     pub verdict: ClaimVerdict,
     /// What kind of sentence it is.
@@ -192,12 +196,12 @@ pub struct Claim {
     /// The grade of the evidence.
     pub evidence: Evidence,
     /// The statement as it should read; the claim itself where it is true.
-    pub correct_statement: &'static str,
+    pub(crate) correct_statement: &'static str,
     /// Proof or counterexample, with its numbers.
-    pub argument: &'static str,
+    pub(crate) argument: &'static str,
     /// What each control feeds through the check: the first must lead to another verdict, each further one must move a deciding finding
     /// that none before it moves.
-    pub controls: &'static [&'static str],
+    pub(crate) controls: &'static [&'static str],
     /// Where the claim stands and what the argument rests on.
     pub sources: &'static [&'static str],
     /// The check: findings that hold for the recorded reading and not all for a control.
@@ -209,6 +213,31 @@ impl Claim {
     pub fn section(&self) -> &'static str {
         group_of(self.id)
     }
+
+    /// What the chapter says, with its own hedges.
+    pub fn statement(&self) -> String {
+        written(self.statement)
+    }
+
+    /// The statement as it should read; the claim itself where it is true.
+    pub fn correct_statement(&self) -> String {
+        written(self.correct_statement)
+    }
+
+    /// Proof or counterexample, with its numbers.
+    pub fn argument(&self) -> String {
+        written(self.argument)
+    }
+
+    /// What each control feeds through the check.
+    pub fn controls(&self) -> Vec<String> {
+        self.controls.iter().map(|text| written(text)).collect()
+    }
+}
+
+/// The text with its formulas in Unicode.
+fn written(text: &str) -> String {
+    unicode(text).expect("a test reads every text of every claim")
 }
 
 /// The group of an id: `S4` of `S4.sigma`; an id without a dot is a letter and a number, and `R6` is in `R`.

@@ -1,5 +1,7 @@
 //! The claims of the textbook chapter: statement, verdict, evidence, and a check that can fail.
 //!
+//! Formulas in the texts are TeX between dollar signs (`checks::formula`).
+//!
 //! The same registry serves `moreau verify` and `tests/claims.rs`.
 
 mod claim;
@@ -27,7 +29,10 @@ pub mod s6;
 pub mod s7;
 pub mod s8;
 pub mod s9;
+mod search;
 mod section;
+#[cfg(test)]
+mod tests;
 mod titles;
 pub mod v;
 mod verdict;
@@ -40,6 +45,7 @@ pub use moved::{counterpart, is_moved};
 pub use places::{PLACES, Place, Places};
 pub use registry::{JudgedClaim, Status, all, conclude, find, judge, judge_with_witnesses, matches_group};
 pub use repeats::{REPEATS, original};
+pub use search::has_words;
 pub use section::{CHAPTER, SECTIONS, Section, order};
-pub use titles::title;
+pub use titles::{title, title_in_tex};
 pub use verdict::derive;

@@ -1,14 +1,24 @@
 //! A short title of every claim, for lists: `titles.toml`.
 
+use crate::checks::formula::unicode;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-static TITLES: LazyLock<BTreeMap<String, String>> =
+/// Formulas in TeX between dollar signs.
+static TEX: LazyLock<BTreeMap<String, String>> =
     LazyLock::new(|| toml::from_str(include_str!("titles.toml")).expect("a test reads the embedded file"));
 
-/// The title of the claim with this id; empty where there is no such claim.
+static TITLES: LazyLock<BTreeMap<&str, String>> =
+    LazyLock::new(|| TEX.iter().map(|(id, title)| (id.as_str(), unicode(title).expect("a test reads every title"))).collect());
+
+/// The title of the claim with this id, its formulas in Unicode; empty where there is no such claim.
 pub fn title(id: &str) -> &'static str {
     TITLES.get(id).map_or("", String::as_str)
+}
+
+/// The same with its formulas in TeX, for a page.
+pub fn title_in_tex(id: &str) -> &'static str {
+    TEX.get(id).map_or("", String::as_str)
 }
 
 #[cfg(test)]
@@ -23,7 +33,7 @@ mod tests {
     #[test]
     fn every_claim_has_a_short_title_of_its_own_and_no_other_id_has_one() {
         let ids: BTreeSet<&str> = all().map(|claim| claim.id).collect();
-        assert_eq!(TITLES.keys().map(String::as_str).collect::<BTreeSet<_>>(), ids);
+        assert_eq!(TITLES.keys().copied().collect::<BTreeSet<_>>(), ids);
         let long: Vec<_> =
             TITLES.values().filter(|title| !(4..=LONGEST).contains(&title.chars().count()) || title.ends_with('.')).collect();
         assert_eq!(long, Vec::<&String>::new());
@@ -34,6 +44,6 @@ mod tests {
 
     #[test]
     fn what_is_no_claim_has_no_title() {
-        assert_eq!(title("S4.example"), "");
+        assert_eq!((title("S4.example"), title_in_tex("S4.example")), ("", ""));
     }
 }

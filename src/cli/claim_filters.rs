@@ -85,7 +85,8 @@ impl Filters {
         }
         let chosen: Vec<_> = in_group.into_iter().filter(|claim| self.is_met(claim)).collect();
         if let (true, Some(words)) = (chosen.is_empty(), &self.search) {
-            let all = claims::all().flat_map(|claim| claim.statement.split(|letter: char| !letter.is_alphanumeric()));
+            let statements: Vec<String> = claims::all().map(Claim::statement).collect();
+            let all = statements.iter().flat_map(|statement| statement.split(|letter: char| !letter.is_alphanumeric()));
             let cure = suggestion(words, all, "try a part of a word, or fewer words");
             return Err(Error::Unsupported(format!("--search {words}: no claim has these words; {cure}")));
         }
@@ -110,14 +111,6 @@ impl Filters {
         self.verdict.is_none_or(|verdict| claim.verdict == verdict)
             && self.severity.is_none_or(|severity| claim.severity == Some(severity))
             && self.kind.is_none_or(|kind| claim.kind == kind)
-            && self.search.as_ref().is_none_or(|words| has_words(claim, words))
+            && self.search.as_ref().is_none_or(|words| claims::has_words(claim, words))
     }
-}
-
-/// Whether a claim has all of these words.
-fn has_words(claim: &Claim, words: &str) -> bool {
-    let places = claim.sources.iter().copied();
-    let text: Vec<&str> = [claim.id, claims::title(claim.id), claim.statement, claim.correct_statement].into_iter().chain(places).collect();
-    let text = text.join(" ").to_lowercase();
-    words.to_lowercase().split_whitespace().all(|word| text.contains(word))
 }

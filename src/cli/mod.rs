@@ -33,7 +33,7 @@ mod problem_law;
 mod problems;
 pub mod progress;
 mod protocol_check;
-mod remarks;
+pub mod remarks;
 mod report;
 mod residual_names;
 mod scene;

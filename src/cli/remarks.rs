@@ -13,13 +13,14 @@ use crate::tolerance::solvers::SYMMETRY;
 use std::path::Path;
 
 /// Says on standard error what is unusual; in JSON nothing, for standard error may hold the answer.
-pub fn remark(file: &Path, posed: &Posed, format: Format) {
+pub(super) fn remark(file: &Path, posed: &Posed, format: Format) {
     if format == Format::Text && !is_lcp(file, posed) {
         remarks(posed).iter().for_each(|text| print_aside(&format!("remark: {}: {text}\n", file.display())));
     }
 }
 
-fn remarks(posed: &Posed) -> Vec<String> {
+/// What is unusual of the operator of a contact problem, a sentence each; nothing where it is one of contacts between masses.
+pub fn remarks(posed: &Posed) -> Vec<String> {
     let (asymmetry, negative) = match posed {
         // formed of masses and Jacobian it is neither
         Posed::Contacts(problem) if problem.delassus().matrix_free().is_some() => (0.0, None),

@@ -10,7 +10,7 @@ pub struct Control {
     /// The claim.
     pub claim: &'static str,
     /// What its controls change.
-    pub controls: &'static [&'static str],
+    pub controls: Vec<String>,
     /// Whether every one of them leads to another verdict or moves a finding that none before it moves.
     pub caught: bool,
     /// Why not; empty if so.
@@ -32,5 +32,5 @@ fn control(claim: &'static Claim) -> Control {
         Status::Contradicted => "the claim is contradicted".into(),
         Status::OtherVerdict(why) | Status::Failed(why) => why,
     };
-    Control { claim: claim.id, controls: claim.controls, caught, why }
+    Control { claim: claim.id, controls: claim.controls(), caught, why }
 }

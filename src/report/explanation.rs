@@ -23,11 +23,11 @@ pub fn explanation(outcome: &JudgedClaim, style: Style) -> String {
         line(&mut text, &format!("\n{}", style.heading(name)));
         body.iter().for_each(|paragraph| line(&mut text, paragraph));
     };
-    part("The chapter says", &[wrap(claim.statement)]);
+    part("The chapter says", &[wrap(&claim.statement())]);
     part("Place in the chapter", &places(claim).iter().map(|place| wrap(place)).collect::<Vec<_>>());
-    part(if claim.verdict == ClaimVerdict::True { "Proof" } else { "Proof or counterexample" }, &[wrap(claim.argument)]);
+    part(if claim.verdict == ClaimVerdict::True { "Proof" } else { "Proof or counterexample" }, &[wrap(&claim.argument())]);
     part("What this run found", &outcome.findings.iter().map(|finding| style.wrapped("", FINDING, &told(finding))).collect::<Vec<_>>());
-    part("Correct statement", &[wrap(claim.correct_statement)]);
+    part("Correct statement", &[wrap(&claim.correct_statement())]);
     for (place, findings) in outcome.controls.iter().enumerate() {
         part("Control", &control(outcome, place, findings, style));
     }
@@ -58,7 +58,7 @@ fn control(outcome: &JudgedClaim, place: usize, findings: &[Finding], style: Sty
     let absent = |finding: &&Finding| counterpart(finding, &outcome.findings, findings).is_none();
     let missing: Vec<&str> = outcome.findings.iter().filter(deciding).filter(absent).map(|finding| finding.name.as_str()).collect();
     let wrap = |prose: &str| style.wrapped("  ", "  ", prose);
-    let mut lines = vec![wrap(outcome.claim.controls[place])];
+    let mut lines = vec![wrap(&outcome.claim.controls()[place])];
     lines.extend(shown.iter().map(|finding| style.wrapped("", FINDING, &bearing(&elsewhere(finding)))));
     if same.iter().any(deciding) {
         lines.push("  the other findings come out as above".into());

@@ -18,7 +18,7 @@ pub struct ClaimEntry {
     /// What it is about, in a few words.
     title: &'static str,
     /// What the chapter says, with its hedges.
-    statement: &'static str,
+    statement: String,
     /// What became of it.
     verdict: ClaimVerdict,
     /// What kind of sentence it is.
@@ -32,7 +32,7 @@ pub struct ClaimEntry {
     /// How strong the evidence is.
     evidence: Evidence,
     /// What holds.
-    correct_statement: &'static str,
+    correct_statement: String,
     /// The sentences that make it, the main one first; none for what the chapter does not say.
     places: &'static [Place],
 }
@@ -43,13 +43,13 @@ impl From<&Claim> for ClaimEntry {
             id: claim.id,
             section: claim.section(),
             title: title(claim.id),
-            statement: claim.statement,
+            statement: claim.statement(),
             verdict: claim.verdict,
             kind: claim.kind,
             severity: claim.severity,
             repeats: original(claim.id),
             evidence: claim.evidence,
-            correct_statement: claim.correct_statement,
+            correct_statement: claim.correct_statement(),
             places: PLACES.of(claim.id),
         }
     }
@@ -155,13 +155,13 @@ impl<'a> From<&'a JudgedClaim> for OutcomeEntry<'a> {
 #[derive(Serialize, JsonSchema)]
 pub struct ControlEntry<'a> {
     /// The other subject.
-    subject: &'static str,
+    subject: String,
     /// What the check finds on it.
     findings: Vec<FindingEntry<'a>>,
 }
 
-impl<'a> From<(&&'static str, &'a Vec<Finding>)> for ControlEntry<'a> {
-    fn from((subject, findings): (&&'static str, &'a Vec<Finding>)) -> Self {
+impl<'a> From<(String, &'a Vec<Finding>)> for ControlEntry<'a> {
+    fn from((subject, findings): (String, &'a Vec<Finding>)) -> Self {
         ControlEntry { subject, findings: findings.iter().map(FindingEntry::from).collect() }
     }
 }
@@ -172,7 +172,7 @@ pub struct ExplanationEntry<'a> {
     #[serde(flatten)]
     outcome: OutcomeEntry<'a>,
     /// The proof, the counterexample or the experiment.
-    argument: &'static str,
+    argument: String,
     /// Path of the function that checks it.
     check: &'static str,
     /// Other subjects, which must come out otherwise.
@@ -184,9 +184,9 @@ pub struct ExplanationEntry<'a> {
 impl<'a> From<&'a JudgedClaim> for ExplanationEntry<'a> {
     fn from(outcome: &'a JudgedClaim) -> Self {
         ExplanationEntry {
-            argument: outcome.claim.argument,
+            argument: outcome.claim.argument(),
             check: outcome.claim.check.path,
-            controls: outcome.claim.controls.iter().zip(&outcome.controls).map(ControlEntry::from).collect(),
+            controls: outcome.claim.controls().into_iter().zip(&outcome.controls).map(ControlEntry::from).collect(),
             sources: outcome.claim.sources,
             outcome: outcome.into(),
         }
@@ -224,6 +224,13 @@ mod tests {
     }
 
     #[test]
+    fn formulas_are_in_unicode() {
+        let all: Vec<ClaimEntry> = crate::claims::all().map(ClaimEntry::from).collect();
+        assert!(!pretty(&all).expect("plain data").contains('$'));
+        assert!(all.iter().any(|entry| entry.statement.contains("xᵀNx ≥ 0")));
+    }
+
+    #[test]
     fn a_finding_has_the_names_it_always_had_and_tells_how_much_of_its_bound_it_uses() {
         let finding = Finding::at_most("x", 1.0, 2.0, "m");
         let numbers = serde_json::json!({
@@ -250,7 +257,7 @@ mod tests {
     fn an_explanation_adds_argument_control_and_sources() {
         let outcome = outcome(Status::Supported);
         let object = value(&ExplanationEntry::from(&outcome));
-        assert_eq!(object["argument"], CLAIM.argument);
+        assert_eq!(object["argument"], CLAIM.argument());
         assert_eq!(object["controls"][0]["findings"][0]["holds"], false);
         assert_eq!(object["sources"][0], CLAIM.sources[0]);
     }

@@ -49,7 +49,7 @@ impl StepSummary {
         let count = |wanted: Judgement| recording.judgements.iter().filter(|one| **one == wanted).count();
         let mut worst: Option<(usize, StepResidual)> = None;
         for (step, residual) in recording.residuals.iter().enumerate().filter_map(|(k, residual)| Some((k + 1, (*residual)?))) {
-            if worst.is_none_or(|(_, known)| known.worse(residual) != known) {
+            if worst.as_ref().is_none_or(|(_, known)| residual.is_worse_than(known)) {
                 worst = Some((step, residual));
             }
         }
@@ -100,4 +100,25 @@ fn contact(residual: &StepResidual, recording: &Recording, mechanism: &dyn Mecha
     let bodies = mechanism.bodies(&recording.samples[0].position, &recording.samples[0].velocity);
     let name = |body: Option<usize>| body.map_or("ground", |body| bodies.get(body).map_or("?", |body| body.name.as_str()));
     Some(pair.map(name).join("/"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certificate::StepResidual;
+    use crate::scenes;
+
+    #[test]
+    fn a_step_whose_residual_is_no_number_stays_the_worst_whatever_follows() {
+        let (mechanism, start) = scenes::named("bouncing-ball").and_then(|scene| scene.mechanism()).expect("a named scene");
+        let mut recording = Recording::new("ball", "any".into(), 0.5, start.clone());
+        for relative in [1.0, f64::NAN, 2.0, 3.0] {
+            let residual = StepResidual { rule: "certificate", residual: "normal", relative, limit: 1.0, contact: None, pair: None };
+            recording.push_judged(start.clone(), Vec::new(), Some(residual), Judgement::of(Some(residual), false));
+        }
+        let summary = StepSummary::of(&recording, mechanism.as_ref());
+        let worst = summary.worst.expect("four residuals");
+        assert_eq!((worst.step, worst.relative, summary.rejected), (2, None, 3));
+        assert!(worst.text().contains("not a number"), "{}", worst.text());
+    }
 }

@@ -36,7 +36,7 @@ pub fn list(claims: &[&'static Claim], style: Style) -> String {
     for claim in claims {
         open_section(&mut text, &mut group, claim, style);
         line(&mut text, &head(claim, width, "", style));
-        line(&mut text, &style.wrapped(BELOW, BELOW, &claim.statement.split_whitespace().collect::<Vec<_>>().join(" ")));
+        line(&mut text, &style.wrapped(BELOW, BELOW, &claim.statement()));
     }
     line(&mut text, "");
     line(&mut text, &style.wrapped("", "", &format!("{}. {EXPLAINED}", counted(claims.len(), "claim"))));
@@ -258,9 +258,9 @@ pub(crate) mod tests {
             // and a path is not broken
             let wide = text.lines().find(|line| columns(line) > width && line.trim().contains(' '));
             assert_eq!(wide, None, "{width}");
-            let statement = |claim: &Claim| claim.statement.split_whitespace().collect::<Vec<_>>().join(" ");
             let squeezed = text.split_whitespace().collect::<Vec<_>>().join(" ");
-            assert!(all.iter().all(|claim| squeezed.contains(&statement(claim))), "every statement is shown");
+            assert!(all.iter().all(|claim| squeezed.contains(&claim.statement())), "every statement is shown");
+            assert!(!text.contains(['$', '\\']), "formulas are in Unicode");
         }
     }
 }

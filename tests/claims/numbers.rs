@@ -146,7 +146,7 @@ fn is_name(text: &str, start: usize, end: usize, number: Number) -> bool {
 pub fn unaccounted(outcome: &JudgedClaim, sources: &Sources) -> Vec<String> {
     let claim = outcome.claim;
     let mut data = sources.data(claim);
-    data.extend(NUMBER.captures_iter(claim.statement).filter_map(|found| Number::read(&found)).map(|number| number.value));
+    data.extend(NUMBER.captures_iter(&claim.statement()).filter_map(|found| Number::read(&found)).map(|number| number.value));
     let found: Vec<f64> =
         outcome.findings.iter().flat_map(|finding| [finding.measured, finding.expectation.value, finding.expectation.tolerance]).collect();
     let accounted = |number: Number| {
@@ -154,14 +154,15 @@ pub fn unaccounted(outcome: &JudgedClaim, sources: &Sources) -> Vec<String> {
             || data.iter().any(|datum| number.is(*datum))
             || found.iter().any(|value| number.rounds(*value))
     };
+    let argument = claim.argument();
     let mut missing = Vec::new();
-    for captures in NUMBER.captures_iter(claim.argument) {
+    for captures in NUMBER.captures_iter(&argument) {
         let (Some(whole), Some(number)) = (captures.get(0), Number::read(&captures)) else { continue };
         let (start, end) = (whole.start(), whole.end());
-        let percent = claim.argument[end..].trim_start().starts_with('%') && accounted(number.times(0.01));
-        if !is_name(claim.argument, start, end, number) && !accounted(number) && !percent {
-            let from = claim.argument[..start].char_indices().rev().nth(25).map_or(0, |(at, _)| at);
-            missing.push(claim.argument[from..end].to_string());
+        let percent = argument[end..].trim_start().starts_with('%') && accounted(number.times(0.01));
+        if !is_name(&argument, start, end, number) && !accounted(number) && !percent {
+            let from = argument[..start].char_indices().rev().nth(25).map_or(0, |(at, _)| at);
+            missing.push(argument[from..end].to_string());
         }
     }
     missing

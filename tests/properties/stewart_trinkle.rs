@@ -316,10 +316,10 @@ fn the_textbooks_theorem_and_the_corrected_one() {
     let list = |x: &DVector<Rational>| x.iter().map(Rational::to_string).collect::<Vec<_>>().join(", ");
     let text = format!(
         "The chapter's theorem: {}\nWitness: x = ({}) ≥ 0, xᵀMx = 0, (M + Mᵀ)x = ({})\nThe corrected theorem: {}\n",
-        claim.statement,
+        claim.statement(),
         list(&x),
         list(&image),
-        claim.correct_statement
+        claim.correct_statement()
     );
     // Past the capture of the test harness: the two theorems belong into the output of `cargo test`.
     std::io::Write::write_all(&mut std::io::stdout(), text.as_bytes()).unwrap();

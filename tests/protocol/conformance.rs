@@ -2,8 +2,9 @@
 
 use crate::cases::this_program;
 use libtest_mimic::Trial;
-use moreau::gate::conformance::{Conformance, ProbeOutcome, conformance};
-use moreau::gate::process::{Fate, Limits};
+use moreau::gate::Options;
+use moreau::gate::conformance::{Conformance, ProbeOutcome, conformance, misreported};
+use moreau::gate::process::{Fate, Limits, ProcessEngine};
 use std::time::Duration;
 
 /// Mistakes with the probes that must find them – no others may complain – and words of their report.
@@ -96,6 +97,14 @@ pub fn all() -> Vec<Trial> {
         assert!(matches!(fault.cause, Fate::NotStarted(_)));
         let fault = conformance(&this_program(&["--misbehave", "crash-at-start"]), LIMITS).expect_err("nobody answers");
         assert!(fault.to_string().contains("No module named 'simulator'"), "{fault}");
+        Ok(())
+    }));
+    trials.push(Trial::test("the_gate_tells_what_is_wrong_with_description_and_motion_before_any_check", || {
+        for (mistake, expected) in [("sound", &[][..]), ("own-law", &["describe/law"]), ("forces", &["contacts/impulse"])] {
+            let mut engine = ProcessEngine::new(this_program(&["--adapter", mistake]), LIMITS);
+            let found: Vec<_> = misreported(&mut engine, &Options::new()).into_iter().map(|probe| probe.probe).collect();
+            assert_eq!(found, expected, "{mistake}");
+        }
         Ok(())
     }));
     trials

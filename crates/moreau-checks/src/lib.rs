@@ -15,6 +15,7 @@ pub mod energy;
 mod expectation;
 mod finding;
 pub mod forms;
+pub mod formula;
 pub mod planted;
 pub mod plot;
 pub mod readers;

@@ -1,5 +1,6 @@
 //! How text for a terminal is marked, and broken into lines.
 
+use maud::{Markup, html};
 use textwrap::core::display_width;
 use textwrap::{Options, WordSplitter, fill};
 
@@ -68,6 +69,24 @@ impl Style {
     }
 }
 
+/// A piece of code on a page.
+pub fn code(text: &str) -> Markup {
+    html! { code { (text) } }
+}
+
+/// A text in which what stands between two backticks is code.
+pub fn with_code(text: &str) -> Markup {
+    let parts: Vec<&str> = text.split('`').collect();
+    if parts.len().is_multiple_of(2) {
+        return html! { (text) };
+    }
+    html! {
+        @for (k, part) in parts.iter().enumerate() {
+            @if k % 2 == 1 { (code(part)) } @else { (part) }
+        }
+    }
+}
+
 /// A count with its word, in the plural unless it is one.
 ///
 /// ```
@@ -112,5 +131,11 @@ mod tests {
         for painted in [plain.heading("x"), plain.alarm("x"), plain.yes("x"), plain.reserved("x"), plain.no("x"), plain.faint("x")] {
             assert_eq!(painted, "x");
         }
+    }
+
+    #[test]
+    fn backticks_become_code_and_nothing_else_becomes_markup() {
+        assert_eq!(with_code("a `b <i>` c & d").into_string(), "a <code>b &lt;i&gt;</code> c &amp; d");
+        assert_eq!(with_code("one ` alone").into_string(), "one ` alone");
     }
 }

@@ -8,10 +8,10 @@ use moreau::report::json::{ClaimEntry, ExplanationEntry, pretty};
 use pyo3::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Every claim as it is recorded, a JSON list.
+/// The claims that have all of these words, as they are recorded, a JSON list.
 #[pyfunction]
-pub fn claims(py: Python<'_>) -> PyResult<String> {
-    pretty(&registry::all().map(ClaimEntry::from).collect::<Vec<_>>()).python(py)
+pub fn claims(py: Python<'_>, words: &str) -> PyResult<String> {
+    pretty(&registry::all().filter(|claim| registry::has_words(claim, words)).map(ClaimEntry::from).collect::<Vec<_>>()).python(py)
 }
 
 /// These claims judged now, a JSON list; ids or groups.

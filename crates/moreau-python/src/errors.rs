@@ -17,7 +17,10 @@ fn raised(py: Python<'_>, error: &Error) -> PyResult<PyErr> {
             errors.getattr("InvalidInput")?.call1((message, field, problem, cure))?
         }
         Error::Solver { solver, failure, .. } => errors.getattr("SolverError")?.call1((message, solver, failure.name()))?,
-        Error::Read { .. } | Error::Write { .. } => errors.getattr("FileError")?.call1((message,))?,
+        Error::Read { file, source } | Error::Write { file, source } => {
+            let file = file.to_string_lossy().into_owned();
+            errors.getattr("FileError")?.call1((message, source.raw_os_error(), file))?
+        }
         Error::Json(_) => errors.getattr("InvalidInput")?.call1((message, "", "is not JSON", "give a whole JSON file"))?,
         _ => errors.getattr("Unsupported")?.call1((message,))?,
     };

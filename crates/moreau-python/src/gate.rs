@@ -90,7 +90,7 @@ pub fn gate(
     bar.set_length(plan.tasks() as u64);
     let times = Mutex::new(BTreeMap::new());
     let work = || {
-        let adapter = if probes { misreported(make.as_ref(), &plan.options) } else { Vec::new() };
+        let adapter = if probes { conformance::misreported(make().as_mut(), &plan.options) } else { Vec::new() };
         let heard = |report: &moreau::gate::Report, name: &'static str, time: Duration| {
             times.lock().unwrap_or_else(PoisonError::into_inner).insert(name.to_string(), time);
             let verdict = report.checks.iter().find(|outcome| outcome.check == name).map_or("", |outcome| outcome.verdict.word());
@@ -134,15 +134,6 @@ pub fn protocol_check(py: Python<'_>, command: Vec<String>, time_limit: f64) -> 
     let outcome = interrupt::watched(py, || conformance::conformance(&command, limits), end_engines)?;
     let outcome = outcome.map_err(|fault| cannot_run(py, &Refusal::errored(fault)))?;
     Ok((conformance_text(&outcome, Style::PLAIN), pretty(&outcome).python(py)?, outcome.is_sound()))
-}
-
-/// What the probes find wrong with an engine that describes itself.
-fn misreported(make: &(dyn Fn() -> Box<dyn Engine> + Sync), options: &Options) -> Vec<conformance::Probe> {
-    let mut engine = make();
-    match engine.describe(options) {
-        Ok(description) => conformance::misreported(engine.as_mut(), &description, options),
-        Err(_) => Vec::new(),
-    }
 }
 
 fn unknown(py: Python<'_>, name: &str) -> PyErr {

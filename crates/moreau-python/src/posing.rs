@@ -8,6 +8,7 @@ use crate::arrays::{Matrix, column, matrix, number, vector};
 use crate::away::{away, enter};
 use crate::errors::{IntoPython, invalid};
 use crate::problem::Problem;
+use moreau::cli::remarks::remarks;
 use moreau::problem::{ContactProblem, ContactProblemBuilder, Law, Posed};
 use moreau::{Error, Result, memory};
 use moreau_contact::operator::{BlockSparse, Sparse, SparseDynamics};
@@ -62,8 +63,25 @@ pub fn pose(arguments: &Arguments) -> PyResult<Problem> {
             None => begun.build(),
         }
     });
-    built?.map_err(renamed).python(py).map(|problem| Problem::from(Posed::Contacts(Box::new(problem))))
+    let posed = built?.map_err(renamed).python(py).map(|problem| Posed::Contacts(Box::new(problem)))?;
+    if law != Law::Frictionless {
+        // without friction it may be a linear complementarity problem, whose matrix may be any
+        warn(py, &remarks(&posed))?;
+    }
+    Ok(Problem::from(posed))
 }
+
+/// Says what is unusual of a problem that is taken as it stands.
+fn warn(py: Python<'_>, remarks: &[String]) -> PyResult<()> {
+    for text in remarks {
+        let text = text.replace("field `delassus`", "`W`");
+        py.import("warnings")?.call_method1("warn", (text, py.import("moreau_contact._errors")?.getattr("UnusualOperator")?, CALLER))?;
+    }
+    Ok(())
+}
+
+/// Of the frames of Python the first: this function stands in none.
+const CALLER: u32 = 1;
 
 /// A law by its name in files.
 ///

@@ -5,6 +5,7 @@ use crate::away::away;
 use crate::errors::{IntoPython, invalid};
 use crate::posing::{Arguments, law_of, pose};
 use moreau::cli::posed;
+use moreau::cli::remarks::remarks;
 use moreau::problem::{Law, Posed};
 use moreau::{files, memory};
 use nalgebra::DVector;
@@ -111,6 +112,12 @@ impl Problem {
     #[getter]
     fn directions(&self) -> Option<usize> {
         self.of_law().directions()
+    }
+
+    /// What is unusual of W, a sentence each: that it is not symmetric, or has W_ii < 0.
+    #[getter]
+    fn remarks(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        away(py, || remarks(&self.posed))
     }
 
     /// The number of contacts; with joints, of all constraints.
@@ -257,15 +264,19 @@ impl Problem {
         self.fitting("impulse", impulse)
     }
 
-    /// A vector of one number per row.
+    /// A vector of one finite number per row.
     ///
     /// # Errors
-    /// `InvalidInput` names the argument.
+    /// `InvalidInput` names the argument, and the entry that is not finite.
     pub fn fitting(&self, field: &str, given: &Bound<'_, PyAny>) -> PyResult<DVector<f64>> {
         let values = vector(given, field)?;
         if values.len() != self.rows() {
             let cure = format!("give {}, one per row of the problem", self.rows());
             return Err(invalid(given.py(), field, format!("has {} entries", values.len()), cure));
+        }
+        if let Some(k) = values.iter().position(|value| !value.is_finite()) {
+            let cure = "give finite numbers: an answer that has none is no answer";
+            return Err(invalid(given.py(), &format!("{field}[{k}]"), format!("is {}", values[k]), cure));
         }
         Ok(column(values))
     }

@@ -1,5 +1,6 @@
 """Solving and certifying: closed forms, two ways in, errors."""
 import copy
+import errno
 import json
 import os
 import pickle
@@ -8,6 +9,7 @@ import subprocess
 import sys
 import threading
 import time
+import warnings
 
 import moreau_contact as mc
 import numpy as np
@@ -81,6 +83,7 @@ def test_arrays_of_any_order_and_kind_are_read_by_their_entries():
         ({"tolerance": 0.0}, "tolerance"),
         ({"tolerance": float("nan")}, "tolerance"),
         ({"warm_start": [1, 2]}, "warm_start"),
+        ({"warm_start": [1, 0, float("inf")]}, "warm_start[2]"),
         ({"solver": "lemke", "warm_start": [1, 0, 0], "law": "polyhedral-coulomb", "directions": 4}, "warm_start"),
     ],
 )
@@ -90,6 +93,25 @@ def test_what_is_not_allowed_names_the_argument_and_the_cure(change, field):
         mc.solve(arguments.pop("W"), arguments.pop("u_free"), arguments.pop("mu"), **arguments)
     assert caught.value.field.startswith(field) and caught.value.cure, caught.value
     assert isinstance(caught.value, ValueError) and "--" not in str(caught.value)
+
+
+def test_an_impulse_that_is_no_number_is_refused_by_its_entry():
+    problem = mc.Problem(np.eye(3), [-1, 0, 0], 0.5)
+    for given, field in [({"impulse": [1, np.nan, 0]}, "impulse[1]"), ({"impulse": [1, 0, 0], "velocity": [0, 0, -np.inf]}, "velocity[2]")]:
+        with pytest.raises(mc.InvalidInput) as caught:
+            mc.certify(problem, **given)
+        assert caught.value.field == field and len(str(caught.value)) < 200
+
+
+def test_an_operator_that_is_none_of_contacts_between_masses_is_warned_of():
+    for W, word in [([[1, 0.1], [0, 1]], "not symmetric"), ([[1, 0], [0, -1]], "W_ii < 0 in row 1")]:
+        with pytest.warns(mc.UnusualOperator, match=word) as warned:
+            problem = mc.Problem(W, [-1, 0], [0.5])
+        assert warned[0].filename == __file__ and len(problem.remarks) == 1
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert mc.Problem(np.eye(2), [-1, 0], [0.5]).remarks == []
+        assert mc.Problem([[1, 0.1], [0, 1]], [-1, 0], law="frictionless").remarks  # a linear complementarity problem may have any matrix
 
 
 def test_an_unknown_solver_is_told_with_the_names_there_are():
@@ -233,8 +255,11 @@ def test_files_are_those_of_the_command(command, tmp_path):
     printed = json.loads(command("certify", "problem.json", "ours.json", "--format", "json"))
     own = json.loads(theirs.certificate.to_json())
     assert printed["residuals"] == own["residuals"] and printed["solution"] is own["solution"] is True
-    with pytest.raises(mc.FileError):
+    with pytest.raises(mc.FileError) as absent:
         mc.Problem.read(tmp_path / "absent.json")
+    again = pickle.loads(pickle.dumps(absent.value))
+    assert (again.errno, again.filename) == (errno.ENOENT, str(tmp_path / "absent.json")) and "absent.json" in str(again)
+    assert "Errno" not in str(absent.value)
     (tmp_path / "half.json").write_text(problem.to_json()[:40])
     with pytest.raises(mc.InvalidInput):
         mc.Problem.read(tmp_path / "half.json")

@@ -12,21 +12,21 @@ use crate::tolerance::rounding;
 /// Claims of the preface.
 pub const PREFACE: &[Claim] = &[Claim {
     id: "P.lcp-slack",
-    statement: "A solution of 0 ≤ z ⟂ w = Mz + q ≥ 0 has z_i = 0 or w_i = 0 for each i; N_C(x) = {g : ⟨g, y − x⟩ ≤ 0 for all y in C}; \
-        prox_f(v) = argmin f(x) + ½‖x − v‖².",
+    statement: r"A solution of $0 \le z \perp w = Mz + q \ge 0$ has $z_i = 0$ or $w_i = 0$ for each $i$; $N_C(x)$ = {$g$ :
+        $\langle g, y - x\rangle \le 0$ for all $y$ in $C$}; $\operatorname{prox}_f(v)$ = argmin $f(x) + \tfrac12\|x - v\|^2$.",
     verdict: ClaimVerdict::True,
     kind: Kind::Definition,
     severity: None,
     evidence: Evidence::Exact,
-    correct_statement: "As stated, for C closed and convex and x in C; the prox of an indicator is the projection, and v − prox(v) lies in \
-        the normal cone.",
-    argument: "Σ zᵢwᵢ = 0 with every term ≥ 0 makes every term 0. All solutions of three rational LCPs, found by enumerating complementary \
-        supports, satisfy it entry by entry. \
-        For C = [0, 2] and v = −1, 1/3, 2, 5 the minimiser x of ½(x − v)² over a fine grid of C leaves v − x in N_C(x).",
+    correct_statement: r"As stated, for $C$ closed and convex and $x$ in $C$; the prox of an indicator is the projection, and
+        $v - \operatorname{prox}(v)$ lies in the normal cone.",
+    argument: r"$\sum\,z_iw_i = 0$ with every term $\ge 0$ makes every term 0. All solutions of three rational LCPs, found by enumerating
+        complementary supports, satisfy it entry by entry. For $C = [0, 2]$ and $v = -1$, 1/3, 2, 5 the minimiser $x$ of
+        $\tfrac12(x - v)^2$ over a fine grid of $C$ leaves $v - x$ in $N_C(x)$.",
     controls: &[
         "A feasible point of each LCP, shifted off the complementary face.",
         "The second matrix with the sign of its lower row changed: that LCP has no solution.",
-        "The two ends of [0, 2] in the place of C, which are not convex.",
+        r"The two ends of $[0, 2]$ in the place of $C$, which are not convex.",
     ],
     sources: &["chapter, recollections before §0", "Cottle, Pang and Stone, The Linear Complementarity Problem (1992), §1.1"],
     check: check!(complementary_slackness),
@@ -35,22 +35,23 @@ pub const PREFACE: &[Claim] = &[Claim {
 /// Claims of the table of misconceptions.
 pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     id: "M.cone-error",
-    statement: "The polyhedral cone changes the cone's shape: an error O(1/d), its LCP exact.",
+    statement: r"The polyhedral cone changes the cone's shape: an error $O(1/d)$, its LCP exact.",
     verdict: ClaimVerdict::Ambiguous,
     kind: Kind::Assertion,
     severity: None,
     evidence: Evidence::Certified,
-    correct_statement: "As an upper bound it holds of all errors. The order of the shape is 1/d²: the radius is short by 1 − cos(π/d), \
-        0.2929, 0.0761, 0.0192, 0.0048 for d = 4, 8, 16, 32. O(1/d) is the order of the direction of the force, π/d. The LCP of that \
-        cone is solved exactly.",
-    argument: "From d to 2d the missing strength falls by 1/(4 cos²(π/4d)), nearly 1/4 and below 1/2, the largest error of the \
-        direction by 1/2. Lemke's method in rational arithmetic solves the LCP of a sliding contact with four directions with all \
-        residuals zero; its friction has half the squared strength of the circular cone's along the bisector, which is the error of the \
+    correct_statement: r"As an upper bound it holds of all errors. The order of the shape is $1/d^2$: the radius is short by
+        $1 - \cos(\pi/d)$, 0.2929, 0.0761, 0.0192, 0.0048 for $d = 4$, 8, 16, 32. $O(1/d)$ is the order of the direction of the force,
+        $\pi/d$. The LCP of that cone is solved exactly.",
+    argument: r"From $d$ to $2d$ the missing strength falls by $1/(4 \cos^2(\pi/4d))$, nearly 1/4 and below 1/2, the largest error of the
+        direction by 1/2. Lemke's method in rational arithmetic solves the LCP of a sliding contact with four directions with all
+        residuals zero; its friction has half the squared strength of the circular cone's along the bisector, which is the error of the
         shape.",
     controls: &[
-        "The cone with the half axes and all other directions in one quadrant: neither error falls, and O(1/d) holds of it in no reading.",
-        "d counted as the number of pairs ±, so that the cone has 2d directions.",
-        "Lemke's answer for μ = 1 in the LCP with μ = ½.",
+        r"The cone with the half axes and all other directions in one quadrant: neither error falls, and $O(1/d)$ holds of it in no
+                reading.",
+        r"$d$ counted as the number of pairs ±, so that the cone has $2d$ directions.",
+        r"Lemke's answer for $\mu = 1$ in the LCP with $\mu = \tfrac12$.",
     ],
     sources: &["chapter, table of misconceptions, polyhedral cone and convex relaxation"],
     check: check!(cone_error),

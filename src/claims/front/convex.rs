@@ -14,18 +14,18 @@ use crate::tolerance;
 pub(super) const PREFACE: &[Claim] = &[
     Claim {
         id: "P.modB",
-        statement: "Module B: implement Anitescu's convex step with APGD and a second-order cone; measure and verify the O(h) gliding, the \
-            speed of a block at rest on an incline being proportional to h.",
+        statement: r"Module B: implement Anitescu's convex step with APGD and a second-order cone; measure and verify the $O(h)$ gliding,
+            the speed of a block at rest on an incline being proportional to $h$.",
         verdict: ClaimVerdict::False,
         kind: Kind::Exercise,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Certified,
-        correct_statement: "The hard convex step keeps a block with tan α < μ at rest for every h. What is proportional to h is the gap \
-            μh|v_t| of a sliding block. (A regularised convex step, as Drake's SAP, does creep proportionally to h.) One mistake, counted \
-            at S5.gliding-creep.",
-        argument: "v = 0 satisfies the optimality conditions of the step, see S5.gliding-creep. Measured with the scheme and the solver \
-            the module asks for: block of 1 kg at 20°, μ = 0.5, one second in 50, 100 and 200 steps: distance 0 to rounding.",
-        controls: &["The same scheme with the tangential softness R_t = 1/1000 kg⁻¹: it creeps."],
+        correct_statement: r"The hard convex step keeps a block with $\tan \alpha < \mu$ at rest for every $h$. What is proportional to
+            $h$ is the gap $\mu h|v_t|$ of a sliding block. (A regularised convex step, as Drake's SAP, does creep proportionally to $h$.)
+            One mistake, counted at S5.gliding-creep.",
+        argument: r"$v = 0$ satisfies the optimality conditions of the step, see S5.gliding-creep. Measured with the scheme and the solver
+            the module asks for: block of 1 kg at 20°, $\mu = 0.5$, one second in 50, 100 and 200 steps: distance 0 to rounding.",
+        controls: &[r"The same scheme with the tangential softness $R_t = 1/1000$ kg⁻¹: it creeps."],
         sources: &["chapter, cumulative project, module B"],
         check: check!(block_at_rest),
     },
@@ -37,13 +37,14 @@ pub(super) const PREFACE: &[Claim] = &[
         kind: Kind::Exercise,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "(a) and (b) do what they are for. (c) shows the artefact of the hard relaxation only if the block slides, tan \
-            α > μ; a block that sticks shows nothing.",
-        argument: "(a) e = 1/2 from 1 m: past the accumulation time the Moreau–Jean ball moves at no more than g h. (b) three blocks of 1, \
-            2, 3 kg on each other, exact step: all velocities 0, the ground carries h g·6 kg. (c) on the 3-4-5 slope the block with \
-                   μ = 1/2 slides with φ = μ h v_t exactly; with μ = 1 it neither moves nor lifts off.",
+        correct_statement: r"(a) and (b) do what they are for. (c) shows the artefact of the hard relaxation only if the block slides,
+            $\tan \alpha > \mu$; a block that sticks shows nothing.",
+        argument: r"(a) $e = 1/2$ from 1 m: past the accumulation time the Moreau–Jean ball moves at no more than $g\,h$. (b) three blocks
+            of 1, 2, 3 kg on each other, exact step: all velocities 0, the ground carries $h\,g\cdot6$ kg. (c) on the 3-4-5 slope the
+            block with $\mu = 1/2$ slides with $\varphi = \mu\,h\,v_t$ exactly; with $\mu = 1$ it neither moves nor lifts off.",
         controls: &[
-            "A sticking block whose contact is softened along the tangent, R_t = 1/1000 kg⁻¹, in the place of the hard one: it creeps.",
+            r"A sticking block whose contact is softened along the tangent, $R_t = 1/1000$ kg⁻¹, in the place of the hard one: it
+                creeps.",
             "An elastic ball: its impacts do not accumulate.",
             "The contact between the two lower blocks missed by the detection of collisions.",
             "Coulomb's law for the block that slides: it stays on the slope.",
@@ -56,20 +57,20 @@ pub(super) const PREFACE: &[Claim] = &[
 /// Claims of the table of misconceptions.
 pub(super) const MISCONCEPTIONS: &[Claim] = &[Claim {
     id: "M.convex-Oh",
-    statement: "Misconception: the convex relaxation loses physics. Correct: its error is O(h) and vanishes with the step (convergence to \
-        the MDI).",
+    statement: r"Misconception: the convex relaxation loses physics. Correct: its error is $O(h)$ and vanishes with the step (convergence
+        to the MDI).",
     verdict: ClaimVerdict::Conditional,
     kind: Kind::Assertion,
     severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Exact,
-    correct_statement: "The error is O(h) for motions that meet the contact compatibly; a tangential shock in closed contact leaves an \
-        O(1) hop (S5.Oh-vanish).",
-    argument: "Slide from rest on the 3-4-5 slope, μ = 1/2, g = 10 m/s²: Coulomb accelerates by a = 2 m/s², the relaxed step number l \
-        by a(1 − ϱˡ), ϱ = μ²/(1+μ²) = 1/5. At t = 1 s the velocity error is (h/2)(1 − 5⁻ᴺ) exactly, N = 1/h, and the gap μ h v_t: both \
-        halve with h. Given 1 m/s on level ground at φ = 0 the block is soon above the ground: with 500 steps a second at 103/106 of its \
-        height with 250, not at 1/2.",
+    correct_statement: r"The error is $O(h)$ for motions that meet the contact compatibly; a tangential shock in closed contact leaves an
+        $O(1)$ hop (S5.Oh-vanish).",
+    argument: r"Slide from rest on the 3-4-5 slope, $\mu = 1/2$, $g = 10$ m/s²: Coulomb accelerates by $a = 2$ m/s², the relaxed step
+        number $l$ by $a(1 - \varrho^l)$, $\varrho = \mu^2/(1 + \mu^2) = 1/5$. At $t = 1$ s the velocity error is $(h/2)(1 - 5^{-N})$
+        exactly, $N = 1/h$, and the gap $\mu\,h\,v_t$: both halve with $h$. Given 1 m/s on level ground at $\varphi = 0$ the block is soon
+        above the ground: with 500 steps a second at 103/106 of its height with 250, not at 1/2.",
     controls: &[
-        "The block given 1 m/s at the gap φ = μ h V, where it meets the contact compatibly.",
+        r"The block given 1 m/s at the gap $\varphi = \mu\,h\,V$, where it meets the contact compatibly.",
         "Coulomb's law on the slope: no error, no gap.",
     ],
     sources: &["chapter, table of misconceptions, §5"],

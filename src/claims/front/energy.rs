@@ -11,35 +11,36 @@ use num_traits::Zero;
 
 pub const PREFACE: &[Claim] = &[Claim {
     id: "P.modA",
-    statement: "Project, module A: θ = 0.5 conserves the energy of an elastic collision chain, θ = 1 dissipates.",
+    statement: r"Project, module A: $\theta = 0.5$ conserves the energy of an elastic collision chain, $\theta = 1$ dissipates.",
     verdict: ClaimVerdict::False,
     kind: Kind::Exercise,
     severity: Some(Severity::WrongStatement),
     evidence: Evidence::Certified,
-    correct_statement: "For elastic collisions under constant forces no θ drifts: without force the kinetic energy is constant, under \
-        gravity E − (θ−½) m g h v is. θ = 1 dissipates when springs (or other position-dependent forces) act. The half about θ = 0.5 is \
-        right; the other is the mistake of S3.energy-runs-down, counted there.",
-    argument: "Three equal balls, e = 1, two collisions: the kinetic energy takes one value at θ = 1/2 and one at θ = 1. Elastic ball in \
-        rationals, θ = 1, activation rules A, B, D (A: φ ≤ 0, B: φ + ½hu ≤ 0, D: φ + h u_free ≤ 0): the invariant of the closed form keeps \
-        its value over 300 steps. An oscillator loses 1 − (1 + h²)^{-N} of its energy.",
-    controls: &["e = 1/2 for the chain at θ = 1 and for the ball.", "e = 1/2 for the chain at θ = 1/2."],
+    correct_statement: r"For elastic collisions under constant forces no $\theta$ drifts: without force the kinetic energy is constant,
+        under gravity $E - (\theta - \tfrac12)\,m\,g\,h\,v$ is. $\theta = 1$ dissipates when springs (or other position-dependent forces)
+        act. The half about $\theta = 0.5$ is right; the other is the mistake of S3.energy-runs-down, counted there.",
+    argument: r"Three equal balls, $e = 1$, two collisions: the kinetic energy takes one value at $\theta = 1/2$ and one at $\theta = 1$.
+        Elastic ball in rationals, $\theta = 1$, activation rules A, B, D (A: $\varphi \le 0$, B: $\varphi + \tfrac12hu \le 0$, D:
+        $\varphi + h\,u_\text{free} \le 0$): the invariant of the closed form keeps its value over 300 steps. An oscillator loses
+        $1 - (1 + h^2)^{-N}$ of its energy.",
+    controls: &[r"$e = 1/2$ for the chain at $\theta = 1$ and for the ball.", r"$e = 1/2$ for the chain at $\theta = 1/2$."],
     sources: &["chapter, cumulative project, module A"],
     check: check!(elastic_chain),
 }];
 
 pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     id: "M.force-vs-impulse",
-    statement: "A lasting contact force is a finite function, an impact is an atom of impulse; the unknown of time-stepping is the impulse \
-        P throughout.",
+    statement: r"A lasting contact force is a finite function, an impact is an atom of impulse; the unknown of time-stepping is the
+        impulse $P$ throughout.",
     verdict: ClaimVerdict::True,
     kind: Kind::Assertion,
     severity: None,
     evidence: Evidence::Exact,
     correct_statement: "As stated.",
-    argument: "m = 2 kg, g = 981/100 m/s². Resting: P = m g h, so P/h = m g at every h. Impact at −3 m/s with e = 1/2 and no force: P = \
-        (1+e) m · 3 = 9 N·s at every h, so P/h grows like 1/h.",
+    argument: r"$m = 2$ kg, $g = 981/100$ m/s². Resting: $P = m\,g\,h$, so $P/h = m\,g$ at every $h$. Impact at −3 m/s with $e = 1/2$ and
+        no force: $P = (1 + e)\,m \cdot 3 = 9$ N·s at every $h$, so $P/h$ grows like $1/h$.",
     controls: &[
-        "A ball at rest in the place of the impact: its impulse shrinks with h.",
+        r"A ball at rest in the place of the impact: its impulse shrinks with $h$.",
         "A ball on its way up in the place of the one at rest: no contact lasts.",
     ],
     sources: &["chapter, table of misconceptions"],
@@ -48,21 +49,21 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
 
 pub const TABLES: &[Claim] = &[Claim {
     id: "T.energy",
-    statement: "Table of theorems: θ = 1/2 is energy neutral, θ = 1 dissipates O(h²).",
+    statement: r"Table of theorems: $\theta = 1/2$ is energy neutral, $\theta = 1$ dissipates $O(h^2)$.",
     verdict: ClaimVerdict::Conditional,
     kind: Kind::Assertion,
     severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Certified,
-    correct_statement: "θ = 1/2: the kinetic energy changes by the work of the scheme's force, and with the potential energy the sum is \
-        kept exactly for constant and linear forces, to O(h³) per step otherwise (S3.energy-neutral). θ = 1 loses ½h²FᵀM⁻¹F per step for \
-        a constant force – O(h²) per step, O(h) over a fixed time – and loses energy where the potential is convex; where it is concave \
-        it can gain.",
-    argument: "Gravity and a spring, θ = 1/2: change 0 in rationals; a pendulum with h = 0.1: 2.2e-5 J. Free fall, θ = 1: \
-        halving h divides the loss of a step by 4 and that of a fixed time by 2. On q̈ = q, h = 1/2, from q = 0 with v = 1 a step of θ \
-        = 1 raises ½v² − ½q² by 1/6.",
+    correct_statement: r"$\theta = 1/2$: the kinetic energy changes by the work of the scheme's force, and with the potential energy the
+        sum is kept exactly for constant and linear forces, to $O(h^3)$ per step otherwise (S3.energy-neutral). $\theta = 1$ loses
+        $\tfrac12h^2F^TM^{-1}F$ per step for a constant force – $O(h^2)$ per step, $O(h)$ over a fixed time – and loses energy where the
+        potential is convex; where it is concave it can gain.",
+    argument: r"Gravity and a spring, $\theta = 1/2$: change 0 in rationals; a pendulum with $h = 0.1$: 2.2e-5 J. Free fall, $\theta = 1$:
+        halving $h$ divides the loss of a step by 4 and that of a fixed time by 2. On $\ddot q = q$, $h = 1/2$, from $q = 0$ with $v = 1$
+        a step of $\theta = 1$ raises $\tfrac12v^2 - \tfrac12q^2$ by 1/6.",
     controls: &[
-        "q̈ = −q in the place of q̈ = q: the potential is convex; a spring in the place of the pendulum.",
-        "θ = 1 in the place of θ = 1/2 on gravity and a spring.",
+        r"$\ddot q = -q$ in the place of $\ddot q = q$: the potential is convex; a spring in the place of the pendulum.",
+        r"$\theta = 1$ in the place of $\theta = 1/2$ on gravity and a spring.",
         "A fixed time in the place of a step.",
     ],
     sources: &["chapter, table of theorems", "chapter §3, energy estimate"],

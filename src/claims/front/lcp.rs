@@ -14,15 +14,16 @@ use crate::tolerance::claims::lcp::SWEEP_VELOCITY;
 /// Claims of the preface and the project.
 pub const PREFACE: &[Claim] = &[Claim {
     id: "P.pgs",
-    statement: "Module A of the project: PGS solves the Delassus LCP 0 ≤ U = WP + U_free ⟂ P ≥ 0 of every step.",
+    statement: r"Module A of the project: PGS solves the Delassus LCP $0 \le U = WP + U_\text{free} \perp P \ge 0$ of every step.",
     verdict: ClaimVerdict::True,
     kind: Kind::Exercise,
     severity: None,
     evidence: Evidence::Certified,
-    correct_statement: "As stated, since W ⪰ 0 with a positive diagonal, as the contacts of free bodies have it (S3.pgs-ok speaks of any \
-        semidefinite W); with redundant contacts the impulses depend on the start, and only the velocity U is unique.",
-    argument: "Block on four frictionless corners (1, ±1, ±1), W of rank 3, U_free = −1: from P = 0 and from P = (1, 0, 0, 1) PGS \
-        reaches a solution, min(P, U) = 0 entry by entry, with the same velocity U = 0 and different impulses.",
+    correct_statement: r"As stated, since $W \succeq 0$ with a positive diagonal, as the contacts of free bodies have it (S3.pgs-ok speaks
+        of any semidefinite $W$); with redundant contacts the impulses depend on the start, and only the velocity $U$ is unique.",
+    argument: r"Block on four frictionless corners $(1, \pm1, \pm1)$, $W$ of rank 3, $U_\text{free} = -1$: from $P = 0$ and from
+        $P = (1, 0, 0, 1)$ PGS reaches a solution, $\min(P, U) = 0$ entry by entry, with the same velocity $U = 0$ and different
+        impulses.",
     controls: &["A single sweep."],
     sources: &["chapter, cumulative project, module A"],
     check: check!(gauss_seidel),
@@ -40,14 +41,14 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     correct_statement: "Copositive-plus and feasible gives existence, not uniqueness. Without friction several solutions have different \
         impulses and one velocity; the motion changes with the solver only where friction acts (S4.nonunique). (The Stewart–Trinkle \
         matrix itself is not copositive-plus with friction, see S4.copos-plus.)",
-    argument: "Unit mass on two equal contacts: W = [[1, 1], [1, 1]] is semidefinite, hence copositive-plus; with q = (−1, −1) every z \
-        ≥ 0 with z₁ + z₂ = 1 is a solution, and all have v⁺ = −1 + z₁ + z₂ = 0. With friction: Painlevé's rod, μ = 2, tip \
-        separating at 1/10 m/s, has 3 solutions with 3 different normal impulses.",
+    argument: r"Unit mass on two equal contacts: $W = \begin{bmatrix}1 & 1 \\ 1 & 1\end{bmatrix}$ is semidefinite, hence copositive-plus;
+        with $q = (-1, -1)$ every $z \ge 0$ with $z_1 + z_2 = 1$ is a solution, and all have $v^+ = -1 + z_1 + z_2 = 0$. With friction:
+        Painlevé's rod, $\mu = 2$, tip separating at 1/10 m/s, has 3 solutions with 3 different normal impulses.",
     controls: &[
-        "Three balls in a row, W = [[2, −1], [−1, 2]], where the solution is unique.",
+        r"Three balls in a row, $W = \begin{bmatrix}2 & -1 \\ -1 & 2\end{bmatrix}$, where the solution is unique.",
         "Two opposite contacts that both close: no solution.",
-        "The Stewart–Trinkle matrix of one contact with μ = ½ in the place of W.",
-        "μ = 1 on the rod: one solution.",
+        r"The Stewart–Trinkle matrix of one contact with $\mu = \tfrac12$ in the place of $W$.",
+        r"$\mu = 1$ on the rod: one solution.",
     ],
     sources: &["chapter, table of misconceptions"],
     check: check!(existence_only),
@@ -56,19 +57,20 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
 /// Claims of the tables of theorems.
 pub const TABLES: &[Claim] = &[Claim {
     id: "T.delassus-psd",
-    statement: "W = HM⁻¹Hᵀ ⪰ 0 because M ≻ 0, hence the normal LCP is solvable.",
+    statement: r"$W = HM^{-1}H^T \succeq 0$ because $M \succ 0$, hence the normal LCP is solvable.",
     verdict: ClaimVerdict::True,
     kind: Kind::Assertion,
     severity: None,
     evidence: Evidence::Exact,
-    correct_statement: "True for the LCP of a step with one restitution coefficient, q = H(v_free + e v): it is always feasible, and \
-        feasible with W ⪰ 0 is solvable.",
-    argument: "If no z ≥ 0 had Wz + q ≥ 0, Farkas would give y ≥ 0 with Wy ≤ 0 and qᵀy < 0; then yᵀWy ≤ 0, so Hᵀy = 0 and qᵀy = (v_free + \
-        ev)ᵀHᵀy = 0. Eight contacts of a block with three velocities, all velocities from {−2, …, 2}³ and e = 1/2: W ⪰ 0, and the LCP of \
-        each velocity is solved exactly. (With different coefficients it may fail, see S3.normal-solvable.)",
+    correct_statement: r"True for the LCP of a step with one restitution coefficient, $q = H(v_\text{free} + e\,v)$: it is always
+        feasible, and feasible with $W \succeq 0$ is solvable.",
+    argument: r"If no $z \ge 0$ had $Wz + q \ge 0$, Farkas would give $y \ge 0$ with $Wy \le 0$ and $q^Ty < 0$; then $y^TWy \le 0$, so
+        $H^Ty = 0$ and $q^Ty = (v_\text{free} + ev)^TH^Ty = 0$. Eight contacts of a block with three velocities, all velocities from
+        $\{-2, \ldots, 2\}^3$ and $e = 1/2$: $W \succeq 0$, and the LCP of each velocity is solved exactly. (With different coefficients
+        it may fail, see S3.normal-solvable.)",
     controls: &[
-        "Data q that is not of the form Hv: two opposite contacts that both close at 1.",
-        "A mass matrix that is not definite, diag(1, 1, −1).",
+        r"Data $q$ that is not of the form $Hv$: two opposite contacts that both close at 1.",
+        r"A mass matrix that is not definite, $\operatorname{diag}(1, 1, -1)$.",
     ],
     sources: &["chapter, table of theorems", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.1"],
     check: check!(normal_lcp),

@@ -13,11 +13,12 @@ pub const PREFACE: &[Claim] = &[Claim {
     kind: Kind::Assertion,
     severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Measured,
-    correct_statement: "Order 0 in the maximum norm of the velocity, order 1 in the position, and only for integrators that do not locate \
-                        the impact. (§0 says \"at most O(h), first order\", which fits both.)",
-    argument: "RK4 on q̈ = −g − 4q with e = 0.8, the velocity flipped at the end of the step that penetrates, through one impact: between \
-               the impact and that node the velocities differ by the jump (1+e)V for every h; the position at the end is wrong by V(1+e) \
-               times the lag, O(h). Without any reaction the ball falls through the floor and the position is wrong by O(1).",
+    correct_statement: r#"Order 0 in the maximum norm of the velocity, order 1 in the position, and only for integrators that do not
+        locate the impact. (§0 says "at most $O(h)$, first order", which fits both.)"#,
+    argument: r"RK4 on $\ddot q = -g - 4q$ with $e = 0.8$, the velocity flipped at the end of the step that penetrates, through one
+        impact: between the impact and that node the velocities differ by the jump $(1 + e)V$ for every $h$; the position at the end is
+        wrong by $V(1 + e)$ times the lag, $O(h)$. Without any reaction the ball falls through the floor and the position is wrong by
+        $O(1)$.",
     controls: &[
         "The integrator that sees no floor in the place of the one that flips: its position has order 0 as well.",
         "A run that ends before the impact, where the velocity does not jump.",
@@ -29,8 +30,8 @@ pub const PREFACE: &[Claim] = &[Claim {
 /// Claims of the table of misconceptions.
 pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     id: "M.high-order",
-    statement: "\"A high-order integrator (RK4) suits contact better\" is a misconception: at impacts all integrators collapse to O(h); \
-                convergence, energy and penetration are the criteria, not the order.",
+    statement: r#""A high-order integrator (RK4) suits contact better" is a misconception: at impacts all integrators collapse to $O(h)$;
+        convergence, energy and penetration are the criteria, not the order."#,
     verdict: ClaimVerdict::Conditional,
     kind: Kind::Assertion,
     severity: Some(Severity::MissingHypothesis),

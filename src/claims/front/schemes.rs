@@ -21,15 +21,15 @@ use crate::tolerance::schemes::{self as tolerance, ball_velocity};
 pub const PREFACE: &[Claim] = &[
     Claim {
         id: "P.zeno-quiz",
-        statement: "A ball bouncing with e = 0.8: infinitely many bounces in a finite total time (Zeno).",
+        statement: r"A ball bouncing with $e = 0.8$: infinitely many bounces in a finite total time (Zeno).",
         verdict: ClaimVerdict::True,
         kind: Kind::Exercise,
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; the total time is 9 times that of the first fall.",
-        argument: "t_k/t₁ = 1 + 2(e + … + e^{k−1}) increases strictly and stays below (1+e)/(1−e) = 9: t_60 and t_240 in rationals. \
-                   (e = 0 has one impact, e = 1 an infinite total time.)",
-        controls: &["e = 1, for which impact 60 comes at 119 t₁.", "e = 0: one impact, no more."],
+        argument: r"$t_k/t_1 = 1 + 2(e + \ldots + e^{k - 1})$ increases strictly and stays below $(1 + e)/(1 - e) = 9$: $t_{60}$ and
+            $t_{240}$ in rationals. ($e = 0$ has one impact, $e = 1$ an infinite total time.)",
+        controls: &[r"$e = 1$, for which impact 60 comes at $119\,t_1$.", r"$e = 0$: one impact, no more."],
         sources: &["chapter, self-test question 5"],
         check: check!(zeno_question),
     },
@@ -41,16 +41,17 @@ pub const PREFACE: &[Claim] = &[
         kind: Kind::Exercise,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated. A good part of the difference is not of the schemes: a spring–damper contact that can only push has \
-            the restitution of its damping ratio, e^{-2} = 0.135 if critically damped, whatever e the rigid model was given. It vanishes \
-            once the damping ratio is matched to e.",
-        argument: "ẍ = −2ζẋ − x from x = 0, ẋ = −1 (time in 1/ω), released when the force 2ζẋ + x changes sign. ζ = 1: x = −t e^{−t}, ẍ \
-            = (2−t)e^{−t}, release at t = 2 with ẋ = e^{−2}, so a bounce keeps e^{−4} of its energy; the rigid step with e = 0.8 keeps e². \
-            The damping ratio whose closed form is e = 0.8, found by bisection, does rebound with 0.8. The motion is integrated \
-            numerically and held against the closed forms. Engines themselves are not run here.",
+        correct_statement: r"As stated. A good part of the difference is not of the schemes: a spring–damper contact that can only push
+            has the restitution of its damping ratio, $e^{-2} = 0.135$ if critically damped, whatever $e$ the rigid model was given. It
+            vanishes once the damping ratio is matched to $e$.",
+        argument: r"$\ddot x = -2\zeta\dot x - x$ from $x = 0$, $\dot x = -1$ (time in $1/\omega$), released when the force
+            $2\zeta\dot x + x$ changes sign. $\zeta = 1$: $x = -t\,e^{-t}$, $\ddot x = (2 - t)e^{-t}$, release at $t = 2$ with
+            $\dot x = e^{-2}$, so a bounce keeps $e^{-4}$ of its energy; the rigid step with $e = 0.8$ keeps $e^2$. The damping ratio
+            whose closed form is $e = 0.8$, found by bisection, does rebound with 0.8. The motion is integrated numerically and held
+            against the closed forms. Engines themselves are not run here.",
         controls: &[
             "The contact with the matched damping ratio in the place of the critically damped one.",
-            "The damping ratio of a spring that may pull, −ln e/√(π² + ln² e), as if it were the matched one.",
+            r"The damping ratio of a spring that may pull, $-\ln e/\sqrt{\pi^2 + \ln^2 e}$, as if it were the matched one.",
             "A plastic rigid ball.",
         ],
         sources: &["chapter, cumulative project, comparison experiment"],
@@ -68,13 +69,13 @@ pub const MISCONCEPTIONS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated of time-stepping: one (v⁺, P) satisfies the balance of momentum and the contact law together.",
-        argument: "The worked step of §12: m(v⁺ − v) + m g h − P = 0 and P·(v⁺ + e v) = 0 with P = 317/200, v⁺ and P those of the step. A \
-            patch satisfies one or the other: v_free reversed the balance but not the law, v reversed with the impulse of an impact the \
-            law but not the balance.",
+        correct_statement: r"As stated of time-stepping: one $(v^+, P)$ satisfies the balance of momentum and the contact law together.",
+        argument: r"The worked step of §12: $m(v^+ - v) + m\,g\,h - P = 0$ and $P\cdot(v^+ + e\,v) = 0$ with $P = 317/200$, $v^+$ and $P$
+            those of the step. A patch satisfies one or the other: $v_\text{free}$ reversed the balance but not the law, $v$ reversed with
+            the impulse of an impact the law but not the balance.",
         controls: &[
-            "The patch: integrate freely, then replace v_free by −e v_free.",
-            "The other patch: reverse v with the impulse (1+e) m |v| of an impact, which leaves out gravity's.",
+            r"The patch: integrate freely, then replace $v_\text{free}$ by $-e\,v_\text{free}$.",
+            r"The other patch: reverse $v$ with the impulse $(1 + e)\,m\,|v|$ of an impact, which leaves out gravity's.",
         ],
         sources: &["chapter, table of misconceptions, row 1"],
         check: check!(simultaneous),
@@ -86,14 +87,14 @@ pub const MISCONCEPTIONS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "It never stalls and needs a bounded number of steps, but not one: after the last real bounce the \
-                            velocity decays by the factor e per step. One step suffices if e = 0.",
-        argument: "v⁺ = −e v in every step once |v| ≤ g h/(1+e) at an active contact, so n steps leave eⁿ of the speed and it takes \
-                   40 steps to divide it by 2⁴⁰ if e = ½. The ball of §12 in rationals (h = 1/100) and in floats (h = 10⁻², 10⁻³) \
-                   under φ + ½hv ≤ 0; the plastic ball has v = 0 after its impact.",
+        correct_statement: r"It never stalls and needs a bounded number of steps, but not one: after the last real bounce the velocity
+            decays by the factor $e$ per step. One step suffices if $e = 0$.",
+        argument: r"$v^+ = -e\,v$ in every step once $|v| \le g\,h/(1 + e)$ at an active contact, so $n$ steps leave $e^n$ of the speed
+            and it takes 40 steps to divide it by $2^{40}$ if $e = \tfrac12$. The ball of §12 in rationals ($h = 1/100$) and in floats
+            ($h = 10^{-2}$, $10^{-3}$) under $\varphi + \tfrac12hv \le 0$; the plastic ball has $v = 0$ after its impact.",
         controls: &[
-            "e = 0 and e = ½ exchanged: the ball with e = 0 stands still at once.",
-            "The rule φ + hv ≤ 0 with v ≤ 0, under which the ball is never absorbed.",
+            r"$e = 0$ and $e = \tfrac12$ exchanged: the ball with $e = 0$ stands still at once.",
+            r"The rule $\varphi + hv \le 0$ with $v \le 0$, under which the ball is never absorbed.",
         ],
         sources: &["chapter §1, comparison table; chapter, cumulative project, scene (a)"],
         check: check!(micro_bounces),
@@ -104,22 +105,23 @@ pub const MISCONCEPTIONS: &[Claim] = &[
 pub const TABLES: &[Claim] = &[
     Claim {
         id: "T.moreau-convergence",
-        statement: "Moreau–Jean converges weakly for prox-regular constraints and θ ∈ [½, 1]: q_h → q uniformly, v_h ⇀* v \
-                    (attributed to Moreau and Jean, CMAME 177, 1999).",
+        statement: r"Moreau–Jean converges weakly for prox-regular constraints and $\theta \in [\tfrac12, 1]$: $q_h \to q$ uniformly,
+            $v_h$ ⇀* $v$ (attributed to Moreau and Jean, CMAME 177, 1999).",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "For one contact, or contacts that meet at right angles (in the metric of M). Otherwise a motion that \
-            reaches two of them at once may have several limits, since a step may see one before the other. The hypotheses on impact \
-            law, friction and activation rule are missing as well, and the attribution has not been verified here.",
-        argument: "Bouncing ball, e = 0.8, θ = ½ and 1, activation φ ≤ 0, to the apex after the impact: sup|q_h − q| and ∫|v_h − v| are \
-            within the constants times V h that follow from the shift of the impact. Corner: plastic unit mass with v⁻ = \
-            (−1, −1) m/s into the wedge y ≥ 0, 4x + 3y ≥ 0, g = 10 m/s²; both walls are reached at 1/10 s, −v⁻ lies in the cone of the \
-            normals, so it stops. θ = 1, activation φ ≤ 0: with h = 2/(20N) s both walls close in one step and the error falls with h; \
-            with h = 2/(20N + 5) s the floor closes first, the mass slides into the wall and climbs it, for every N.",
+        correct_statement: r"For one contact, or contacts that meet at right angles (in the metric of $M$). Otherwise a motion that
+            reaches two of them at once may have several limits, since a step may see one before the other. The hypotheses on impact law,
+            friction and activation rule are missing as well, and the attribution has not been verified here.",
+        argument: r"Bouncing ball, $e = 0.8$, $\theta = \tfrac12$ and 1, activation $\varphi \le 0$, to the apex after the impact:
+            $\sup|q_h - q|$ and $\int|v_h - v|$ are within the constants times $V\,h$ that follow from the shift of the impact. Corner:
+            plastic unit mass with $v^- = (-1, -1)\,m/s$ into the wedge $y \ge 0$, $4x + 3y \ge 0$, $g = 10$ m/s²; both walls are reached
+            at 1/10 s, $-v^-$ lies in the cone of the normals, so it stops. $\theta = 1$, activation $\varphi \le 0$: with $h = 2/(20N)$ s
+            both walls close in one step and the error falls with $h$; with $h = 2/(20N + 5)$ s the floor closes first, the mass slides
+            into the wall and climbs it, for every $N$.",
         controls: &[
-            "Walls at right angles, x ≥ 0 in the place of 4x + 3y ≥ 0.",
+            r"Walls at right angles, $x \ge 0$ in the place of $4x + 3y \ge 0$.",
             "Steps that close the floor first in the place of those that close both walls at once.",
             "The restitution left out of the scheme.",
         ],
@@ -128,19 +130,19 @@ pub const TABLES: &[Claim] = &[
     },
     Claim {
         id: "T.symbols",
-        statement: "The table of symbols gives D = [d₁, …, d_d] the tangential directions, N = DᵀM⁻¹D the Hessian of \
-                    Anitescu's QP (equal to the Delassus operator), N_K(x) the normal cone, E the coupling vector, e the restitution.",
+        statement: r"The table of symbols gives $D = [d_1, \ldots, d_d]$ the tangential directions, $N = D^TM^{-1}D$ the Hessian of
+            Anitescu's QP (equal to the Delassus operator), $N_K(x)$ the normal cone, $E$ the coupling vector, $e$ the restitution.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Definition,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "Consistent if D is read as the tangential directions in §4 and as the generators of all contact directions, \
-                            normals included, in §5, N as a matrix there but as a cone in §2, and E as a vector in §4 but as an energy in \
-                            §3: with the D of the table, \
-                            DᵀM⁻¹D is not the Delassus operator. (§5 itself says that its D stacks normals and tangents.)",
-        argument: "Planar contact of a mass of 2 kg: the D of §4 is [t, −t], so DᵀM⁻¹D = ½ [[1, −1], [−1, 1]] is singular; the velocities \
-            that unit impulses along n and t give, the Delassus operator, are half the identity. With D = [n, t] both agree.",
-        controls: &["D read as [n, t] in both places, for which the two matrices agree.", "D read as [t, −t] in both places."],
+        correct_statement: r"Consistent if $D$ is read as the tangential directions in §4 and as the generators of all contact directions,
+            normals included, in §5, $N$ as a matrix there but as a cone in §2, and $E$ as a vector in §4 but as an energy in §3: with the
+            $D$ of the table, $D^TM^{-1}D$ is not the Delassus operator. (§5 itself says that its $D$ stacks normals and tangents.)",
+        argument: r"Planar contact of a mass of 2 kg: the $D$ of §4 is $[t, -t]$, so
+            $D^TM^{-1}D = \tfrac12\,\begin{bmatrix}1 & -1 \\ -1 & 1\end{bmatrix}$ is singular; the velocities that unit impulses along $n$
+            and $t$ give, the Delassus operator, are half the identity. With $D = [n, t]$ both agree.",
+        controls: &[r"$D$ read as $[n, t]$ in both places, for which the two matrices agree.", r"$D$ read as $[t, -t]$ in both places."],
         sources: &["chapter, table of symbols; chapter §4 and §5"],
         check: check!(two_meanings_of_d),
     },

@@ -6,15 +6,15 @@ use crate::tolerance::claims::drake as tolerance;
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "Pr.sap-gliding",
-    statement: "Drake SAP's O(h) gliding is visible at h of 5 to 10 ms and buys steps five to ten times as long.",
+    statement: r"Drake SAP's $O(h)$ gliding is visible at $h$ of 5 to 10 ms and buys steps five to ten times as long.",
     verdict: ClaimVerdict::Ambiguous,
     kind: Kind::Opinion,
     severity: None,
     evidence: Evidence::NotDecidable,
-    correct_statement: "Of kSap and kSimilar, not of Drake's default, kLagged. What is visible and what five times is compared with are \
-        not said. The lift itself is (h + τ) μ v: millimetres at these steps for a slide of 1 m/s.",
-    argument: "Slide at 0.7 instead of 0.2 m/s, μ = 0.3, τ = 5 ms: SAP lifts the block by 1.5e-3 m at h = 5 ms and by 2.25e-3 m at 10 \
-        ms; Lagged, which does not glide, takes the same steps and lifts it by nothing.",
+    correct_statement: r"Of kSap and kSimilar, not of Drake's default, kLagged. What is visible and what five times is compared with are
+        not said. The lift itself is $(h + \tau)\,\mu\,v$: millimetres at these steps for a slide of 1 m/s.",
+    argument: r"Slide at 0.7 instead of 0.2 m/s, $\mu = 0.3$, $\tau = 5$ ms: SAP lifts the block by 1.5e-3 m at $h = 5$ ms and by 2.25e-3
+        m at 10 ms; Lagged, which does not glide, takes the same steps and lifts it by nothing.",
     controls: &["SAP and Lagged exchanged."],
     sources: &["chapter, advice for research practice", "S5.sap-doc"],
     check: check!(gliding),

@@ -14,16 +14,16 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
     kind: Kind::Advice,
     severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Exact,
-    correct_statement: "Without friction the impulses of a simultaneous impact may not be unique, but the velocities are: M is positive \
-        definite. Two solvers of the same impact law agree in the motion; what differs is the law (simultaneous or one after another). \
+    correct_statement: r"Without friction the impulses of a simultaneous impact may not be unique, but the velocities are: $M$ is positive
+        definite. Two solvers of the same impact law agree in the motion; what differs is the law (simultaneous or one after another).
         With friction velocities may differ too.",
-    argument: "Body with M = 1 on four corners: W has the null vector (1, −1, 1, −1), the solutions of the LCP form a family, and all have \
-        v⁺ = 0. Three equal balls, e = 1: the simultaneous LCP has one solution, v⁺ = (−1/3, 2/3, 2/3); pair by pair (0, 0, 1); both \
-        conserve momentum and energy. Painlevé's rod with μ = 3: three solutions with three velocities. (b): a slide lifts with u_n = \
-        μ|u_t| under the relaxation and 0 under Coulomb.",
+    argument: r"Body with $M = 1$ on four corners: $W$ has the null vector $(1, -1, 1, -1)$, the solutions of the LCP form a family, and
+        all have $v^+ = 0$. Three equal balls, $e = 1$: the simultaneous LCP has one solution, $v^+ = (-1/3, 2/3, 2/3)$; pair by pair
+        $(0, 0, 1)$; both conserve momentum and energy. Painlevé's rod with $\mu = 3$: three solutions with three velocities. (b): a slide
+        lifts with $u_n = \mu|u_t|$ under the relaxation and 0 under Coulomb.",
     controls: &[
         "Painlevé's rod in the place of the frictionless corners: with friction the velocities differ.",
-        "Three corners in place of four, μ = 1 for the rod, e = 1/2 for the balls, and the two laws of the slide exchanged.",
+        r"Three corners in place of four, $\mu = 1$ for the rod, $e = 1/2$ for the balls, and the two laws of the slide exchanged.",
     ],
     sources: &["chapter, troubleshooting manual, row 7"],
     check: check!(differences),

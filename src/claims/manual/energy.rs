@@ -17,44 +17,48 @@ use crate::tolerance::rounding;
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "R3",
-        statement: "Energy grows, the system runs ever faster: possible causes (a) explicit Euler, (b) Baumgarte, (c) an unconverged \
-            solver. Check the integrator (semi-implicit or better), drop Baumgarte for coordinate projection or GGL, raise the iterations, \
-            look for e > 1.",
+        statement: r"Energy grows, the system runs ever faster: possible causes (a) explicit Euler, (b) Baumgarte, (c) an unconverged
+            solver. Check the integrator (semi-implicit or better), drop Baumgarte for coordinate projection or GGL, raise the iterations,
+            look for $e > 1$.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Advice,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "The listed causes are causes, and e > 1 is. The recommended projection is one itself: it lifts the body \
-            against gravity. An unconverged solver injects only from a warm start or through restitution: cold sweeps with e = 0 descend \
-            on the kinetic energy. (Others are Newton's e with friction, and a contact too stiff for its step.)",
-        argument: "Gain of each: rod with friction, e = 1: a factor 25/16; projection 81/80; explicit Euler, hω = 1/10: \
-            101/100 per step; ERP = 1/5 on 1 mm at 1/60 s: 7.2e-5 J/kg; e = 11/10: 121/100 per impact; MuJoCo's contact with t_c = h, \
-            dropped from 1 mm: thrown higher than 1 mm for good; one warm sweep on a tower whose weight is gone: 11/16 (g h)². \
-                   Cold sweeps minimise ½rᵀWr + u_freeᵀr = T(r) − T(0) coordinate by coordinate from r = 0: T never exceeds T_free.",
+        correct_statement: r"The listed causes are causes, and $e > 1$ is. The recommended projection is one itself: it lifts the body
+            against gravity. An unconverged solver injects only from a warm start or through restitution: cold sweeps with $e = 0$ descend
+            on the kinetic energy. (Others are Newton's $e$ with friction, and a contact too stiff for its step.)",
+        argument: r"Gain of each: rod with friction, $e = 1$: a factor 25/16; projection 81/80; explicit Euler, $h\omega = 1/10$: 101/100
+            per step; $\mathrm{ERP} = 1/5$ on 1 mm at 1/60 s: 7.2e-5 J/kg; $e = 11/10$: 121/100 per impact; MuJoCo's contact with
+            $t_c = h$, dropped from 1 mm: thrown higher than 1 mm for good; one warm sweep on a tower whose weight is gone:
+            $11/16\,(g\,h)^2$. Cold sweeps minimise $\tfrac12r^TWr + u_\text{free}^Tr = T(r) - T(0)$ coordinate by coordinate from
+            $r = 0$: $T$ never exceeds $T_\text{free}$.",
         controls: &[
-            "The rod with e on the whole velocity v⁺ + e v⁻, no projection, and the contact with t_c = 1.5h.",
-            "The remedies in place of the causes: θ = 1/2, ERP = 0, e = 1 and fifty warm sweeps; and a projection where there is none.",
+            r"The rod with $e$ on the whole velocity $v^+ + e\,v^-$, no projection, and the contact with $t_c = 1.5h$.",
+            r"The remedies in place of the causes: $\theta = 1/2$, $\mathrm{ERP} = 0$, $e = 1$ and fifty warm sweeps; and a projection
+                where there is none.",
         ],
         sources: &["chapter, troubleshooting manual, row 3"],
         check: check!(growth),
     },
     Claim {
         id: "R4",
-        statement: "Energy is lost, motion is viscous: possible causes (a) θ = 1 or large numerical damping, (b) over-damped Baumgarte. \
-            Take θ = 1/2 (energy neutral), reduce numerical damping or solref's damping ratio, check whether e is too small.",
+        statement: r"Energy is lost, motion is viscous: possible causes (a) $\theta = 1$ or large numerical damping, (b) over-damped
+            Baumgarte. Take $\theta = 1/2$ (energy neutral), reduce numerical damping or solref's damping ratio, check whether $e$ is too
+            small.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Advice,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "A smaller damping ratio helps: e(ζ) = exp(−ζ/√(1−ζ²)·acos(2ζ²−1)). θ helps where forces depend on the state; a \
-            body under gravity bounces off a hard floor with the same loss for every θ.",
-        argument: "Elastic ball, θ = 1, 2000 steps: (E − ½ g h v)/E₀ = 1 exactly; an impact with e = 1/2 loses the same at θ = 1 and 1/2. \
-            On a soft floor, hω = 1/5, both lose more at θ = 1. Spring, hω = 1/10: 100/101 per step against 1. Replay of MuJoCo's contact, \
-            impact at 1 m/s, no load, constant impedance: e = 0.744, 0.451, 0.298, 0.135, 0.048 for ζ = 0.1, 0.3, 0.5, 1, 2, within the \
-            first-order bound of the step.",
+        correct_statement: r"A smaller damping ratio helps: $e(\zeta) = \exp(-\zeta/\sqrt{1 - \zeta^2}\cdot\operatorname{acos}(2\zeta^2 -
+            1))$. $\theta$ helps where forces depend on the state; a body under gravity bounces off a hard floor with the same loss for
+            every $\theta$.",
+        argument: r"Elastic ball, $\theta = 1$, 2000 steps: $(E - \tfrac12\,g\,h\,v)/E_0 = 1$ exactly; an impact with $e = 1/2$ loses the
+            same at $\theta = 1$ and 1/2. On a soft floor, $h\omega = 1/5$, both lose more at $\theta = 1$. Spring, $h\omega = 1/10$:
+            100/101 per step against 1. Replay of MuJoCo's contact, impact at 1 m/s, no load, constant impedance: $e = 0.744$, 0.451,
+            0.298, 0.135, 0.048 for $\zeta = 0.1$, 0.3, 0.5, 1, 2, within the first-order bound of the step.",
         controls: &[
             "A soft floor, whose force depends on the state, in place of the hard one.",
-            "θ = 1/2 and 1 exchanged on the spring, and twice the damping ratio.",
+            r"$\theta = 1/2$ and 1 exchanged on the spring, and twice the damping ratio.",
         ],
         sources: &["chapter, troubleshooting manual, row 4", "Schwager and Pöschel 2007"],
         check: check!(loss),

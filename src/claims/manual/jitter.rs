@@ -10,21 +10,21 @@ use crate::tolerance::claims::pathology as tolerance;
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "R5",
-        statement: "A stack at rest trembles at high frequency: possible causes (a) step too large, (b) stiffness too high for the step, \
-            (c) solver not converged, (d) forces switch. Raise the solver's iterations (most common), reduce the step or the stiffness, \
-            increase numerical damping (θ → 1) moderately, warm-start the contact forces.",
+        statement: r"A stack at rest trembles at high frequency: possible causes (a) step too large, (b) stiffness too high for the step,
+            (c) solver not converged, (d) forces switch. Raise the solver's iterations (most common), reduce the step or the stiffness,
+            increase numerical damping ($\theta \to 1$) moderately, warm-start the contact forces.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Advice,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "More iterations, a smaller step or stiffness and a warm start work, as predicted; θ → 1 has no effect on rigid \
-            contacts under a constant load (S9.theta-damps-jitter).",
-        argument: "Tower of ten, Gauss–Seidel: a sweep leaves the factor cos²(π/20) of the approach velocity, 200 sweeps 0.00705 \
-            of it (measured between 200 and 400 sweeps). Ten cold sweeps a step: the top sinks at 0.40 m/s with h = 1/100 s; half the step \
-            halves its speed; with a warm start the tower stands. θ = 1/2 or 1: the same bit for bit. Contact with t_c = h: thrown up; \
-            t_c = 1.5h: calm.",
+        correct_statement: r"More iterations, a smaller step or stiffness and a warm start work, as predicted; $\theta \to 1$ has no
+            effect on rigid contacts under a constant load (S9.theta-damps-jitter).",
+        argument: r"Tower of ten, Gauss–Seidel: a sweep leaves the factor $\cos^2(\pi/20)$ of the approach velocity, 200 sweeps 0.00705 of
+            it (measured between 200 and 400 sweeps). Ten cold sweeps a step: the top sinks at 0.40 m/s with $h = 1/100$ s; half the step
+            halves its speed; with a warm start the tower stands. $\theta = 1/2$ or 1: the same bit for bit. Contact with $t_c = h$:
+            thrown up; $t_c = 1.5h$: calm.",
         controls: &[
-            "Bodies of the tower that hang on springs as well: there θ matters.",
+            r"Bodies of the tower that hang on springs as well: there $\theta$ matters.",
             "A tower of five in the place of ten.",
             "Twice the sweeps in the halved step, no warm start, and the two time constants exchanged.",
         ],
@@ -33,20 +33,20 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "R6",
-        statement: "A body that should rest on a slope slides down slowly: possible cause the O(h) gliding of the convex relaxation, no \
-            bug and no wrong parameter. Check whether the scheme is convex (SAP, MuJoCo, Chrono); reduce h and see whether the slip \
-            shrinks linearly, which confirms gliding; accept it or reduce h; do not mend it with a larger friction coefficient.",
+        statement: r"A body that should rest on a slope slides down slowly: possible cause the $O(h)$ gliding of the convex relaxation, no
+            bug and no wrong parameter. Check whether the scheme is convex (SAP, MuJoCo, Chrono); reduce $h$ and see whether the slip
+            shrinks linearly, which confirms gliding; accept it or reduce $h$; do not mend it with a larger friction coefficient.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Advice,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "True of SAP: v = R_t h g_t. In MuJoCo the creep v = R_t g_t/b does not depend on h up to timeconst/2, \
-            10 ms by default, and is a matter of parameters (impratio, solimp, solref); under Drake's Similar and Lagged it is \
-            proportional to their stiction speed; the hard relaxation (Anitescu, Chrono) does not creep. That μ is no cure holds for the \
-            first two.",
-        argument: "Block on 20°, μ = 1/2, stepped until steady at h = 4, 2 and 1 ms: creep at h over that at h/2 is 1 for MuJoCo and for \
-            Drake's regularised friction, 2 for SAP; 0 for the hard block. impratio = 10 divides MuJoCo's creep by 10. Each agrees with \
-            its closed form, and these with the stored runs of MuJoCo 3.17.0 and Drake 1.51.1.",
+        correct_statement: r"True of SAP: $v = R_t\,h\,g_t$. In MuJoCo the creep $v = R_t\,g_t/b$ does not depend on $h$ up to
+            timeconst/2, 10 ms by default, and is a matter of parameters (impratio, solimp, solref); under Drake's Similar and Lagged it
+            is proportional to their stiction speed; the hard relaxation (Anitescu, Chrono) does not creep. That $\mu$ is no cure holds
+            for the first two.",
+        argument: r"Block on 20°, $\mu = 1/2$, stepped until steady at $h = 4$, 2 and 1 ms: creep at $h$ over that at $h/2$ is 1 for
+            MuJoCo and for Drake's regularised friction, 2 for SAP; 0 for the hard block. impratio $= 10$ divides MuJoCo's creep by 10.
+            Each agrees with its closed form, and these with the stored runs of MuJoCo 3.17.0 and Drake 1.51.1.",
         controls: &[
             "SAP in the place of MuJoCo, of the regularised friction and of the hard block.",
             "Another law's steps: MuJoCo's for SAP's, the hard block's for MuJoCo's, SAP's for the regularised.",

@@ -13,25 +13,24 @@ use crate::tolerance::claims::{lcp::circle_residual, pathology as tolerance};
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "R1",
-        statement: "Bodies pass through the floor or into each other: possible causes (a) the step is too large, (b) a velocity-level \
-            scheme drifts, (c) soft contact penetrates by nature, (d) a collision is missed. Reduce h: if the penetration shrinks linearly \
-            it is discretisation error; is the simulator soft (penetration is normal) or rigid (project)? project the position in \
-            velocity-level \
-            schemes; check the collision margin.",
+        statement: r"Bodies pass through the floor or into each other: possible causes (a) the step is too large, (b) a velocity-level
+            scheme drifts, (c) soft contact penetrates by nature, (d) a collision is missed. Reduce $h$: if the penetration shrinks
+            linearly it is discretisation error; is the simulator soft (penetration is normal) or rigid (project)? project the position in
+            velocity-level schemes; check the collision margin.",
         verdict: ClaimVerdict::True,
         kind: Kind::Advice,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated: a linear decrease means discretisation error. The converse does not hold: the exponent p of \
-            penetration ∝ hᵖ is 0 for the depth of a soft law, 1 for the drift of a velocity-level scheme along a curve or the \
+        correct_statement: r"As stated: a linear decrease means discretisation error. The converse does not hold: the exponent $p$ of
+            penetration $\propto h^p$ is 0 for the depth of a soft law, 1 for the drift of a velocity-level scheme along a curve or the
             overshoot of an impact, 2 for the linearised gap of Stewart–Trinkle, which is discretisation error too.",
-        argument: "h against h/2. MuJoCo's ball at rest, steps of a hundredth of a second and of half of that: ratio 1. Bead in a circle \
-            under Moreau–Jean for 1 s, h \
-            = 1/100: 2 up to the enclosure |q|⁴ ∈ 1 + 2nh² + [0, nh⁴]. The same under Stewart–Trinkle: 4 (½h²). Plastic ball that crosses \
-            the floor in the middle of a step at 1 m/s: exactly 2 (h/2).",
+        argument: r"$h$ against $h/2$. MuJoCo's ball at rest, steps of a hundredth of a second and of half of that: ratio 1. Bead in a
+            circle under Moreau–Jean for 1 s, $h = 1/100$: 2 up to the enclosure $|q|^4 \in 1 + 2nh^2 + [0, nh^4]$. The same under
+            Stewart–Trinkle: $4\,(\tfrac12h^2)$. Plastic ball that crosses the floor in the middle of a step at 1 m/s: exactly
+            $2\,(h/2)$.",
         controls: &[
             "Stewart–Trinkle in place of Moreau–Jean in the test for linear decrease.",
-            "A soft contact as stiff as its step allows, t_c = 2h, and a ball that starts at the same height for both steps.",
+            r"A soft contact as stiff as its step allows, $t_c = 2h$, and a ball that starts at the same height for both steps.",
         ],
         sources: &["chapter, troubleshooting manual, row 1"],
         check: check!(exponents),
@@ -46,11 +45,11 @@ pub(super) const CLAIMS: &[Claim] = &[
         severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated, with an activation rule that absorbs (S0.zeno-absorb).",
-        argument: "q₀ = 1/20 m, g = 10 m/s², e = 1/2: t₁ = 1/10 s, T∞ = 3/10 s. Event 200 still lies before T∞, in rationals; in double \
-            precision the events stop advancing time after about 53. Moreau–Jean with h = 1/1000 s is at rest within the bound proved for \
-            T∞, in a fixed number of steps.",
+        argument: r"$q_0 = 1/20$ m, $g = 10$ m/s², $e = 1/2$: $t_1 = 1/10$ s, $T_\infty = 3/10$ s. Event 200 still lies before $T_\infty$,
+            in rationals; in double precision the events stop advancing time after about 53. Moreau–Jean with $h = 1/1000$ s is at rest
+            within the bound proved for $T_\infty$, in a fixed number of steps.",
         controls: &[
-            "An elastic ball, e = 1, whose event 200 comes long after T∞.",
+            r"An elastic ball, $e = 1$, whose event 200 comes long after $T_\infty$.",
             "Single precision, and Anitescu's plastic step in place of Moreau–Jean's.",
         ],
         sources: &["chapter, troubleshooting manual, row 2", "chapter §0 and §1"],

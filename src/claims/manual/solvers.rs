@@ -24,15 +24,15 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
     kind: Kind::Advice,
     severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Certified,
-    correct_statement: "For Gauss–Seidel the sweeps follow the coupling q = W₁₂²/(W₁₁W₂₂), not cond(W): a heavy body on a light one needs \
-        20 to 26 m₂/m₁ sweeps, a light one on a heavy one a dozen at most, with condition numbers of the same order. Pivoting is \
-        indifferent to both, and ADMM solves them. Large μ makes pyramidal (edge) formulations ill-conditioned, cond = μ², and so does \
-        small μ; a contact solved \
-        as a cone needs one sweep at every μ. (TAMSI was removed from Drake in 1.57.)",
-    argument: "Two bodies under gravity, m₂/m₁ = 10, 100, 1000: sweeps as predicted by q = m₂/(m₁+m₂), 266, 2323 and 20829; Lemke: \
-        3 pivots each time; ADMM solves all to the certificate. Exchanged masses: 12, 7, 5. cond(W) at 1000: 4002, exchanged 1002. One \
-        contact in edges: cond = μ², and 613 sweeps for μ = 10 as 596 for 1/10; as a cone under Coulomb's and the associated law: one \
-        sweep for μ = √10 … √1000. SAP and TAMSI were not run.",
+    correct_statement: r"For Gauss–Seidel the sweeps follow the coupling $q = W_{12}^2/(W_{11}W_{22})$, not cond($W$): a heavy body on a
+        light one needs 20 to $26\,m_2/m_1$ sweeps, a light one on a heavy one a dozen at most, with condition numbers of the same order.
+        Pivoting is indifferent to both, and ADMM solves them. Large $\mu$ makes pyramidal (edge) formulations ill-conditioned, cond
+        $= \mu^2$, and so does small $\mu$; a contact solved as a cone needs one sweep at every $\mu$. (TAMSI was removed from Drake in
+        1.57.)",
+    argument: r"Two bodies under gravity, $m_2/m_1 = 10$, 100, 1000: sweeps as predicted by $q = m_2/(m_1 + m_2)$, 266, 2323 and 20829;
+        Lemke: 3 pivots each time; ADMM solves all to the certificate. Exchanged masses: 12, 7, 5. cond($W$) at 1000: 4002, exchanged 1002.
+        One contact in edges: cond $= \mu^2$, and 613 sweeps for $\mu = 10$ as 596 for 1/10; as a cone under Coulomb's and the associated
+        law: one sweep for $\mu = \sqrt{10}\,\ldots\,\sqrt{1000}$. SAP and TAMSI were not run.",
     controls: &[
         "The masses exchanged, and the edges and the cone.",
         "A hundred sweeps of Gauss–Seidel in place of Lemke's method and of ADMM.",

@@ -11,32 +11,34 @@ use num_traits::Zero;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S0.moving-convex",
-        statement: "Table of difficulties, (c): C(q) = {q : φ(q) ≥ 0} is a moving convex set.",
+        statement: r"Table of difficulties, (c): $C(q) = \{q : \varphi(q) \ge 0\}$ is a moving convex set.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "C is a fixed subset of configuration space, in general not convex (prox-regular if φ is smooth with ∇φ ≠ 0). \
-            What moves with q and is convex is the tangent cone T_C(q). (The chapter names the extension to prox-regular sets in §2.)",
-        argument: "Outside a disk, φ = |q|² − 1: (2, 0) and (−2, 0) are admissible with φ = 3, their midpoint has φ = −1. The tangent \
-            cones at (1, 0) and (0, 1) are the half-planes v₁ ≥ 0 and v₂ ≥ 0: each convex, and different. Inside the disk, φ = 1 − |q|², C \
-            happens to be convex.",
+        correct_statement: r"$C$ is a fixed subset of configuration space, in general not convex (prox-regular if $\varphi$ is smooth with
+            $\nabla\varphi \ne 0$). What moves with $q$ and is convex is the tangent cone $T_C(q)$. (The chapter names the extension to
+            prox-regular sets in §2.)",
+        argument: r"Outside a disk, $\varphi = |q|^2 - 1$: $(2, 0)$ and $(-2, 0)$ are admissible with $\varphi = 3$, their midpoint has
+            $\varphi = -1$. The tangent cones at $(1, 0)$ and $(0, 1)$ are the half-planes $v_1 \ge 0$ and $v_2 \ge 0$: each convex, and
+            different. Inside the disk, $\varphi = 1 - |q|^2$, $C$ happens to be convex.",
         controls: &["The inside of the disk, where the midpoint is admissible."],
         sources: &["chapter §0, table of the three difficulties", "chapter §2, step 1"],
         check: check!(convexity),
     },
     Claim {
         id: "S0.gjk",
-        statement: "For convex bodies φ can be computed by GJK (signed distance, negative in penetration).",
+        statement: r"For convex bodies $\varphi$ can be computed by GJK (signed distance, negative in penetration).",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "GJK computes the distance, which is φ only while the bodies are disjoint. In penetration the distance is 0 for \
-            every depth; the negative branch needs another algorithm (EPA, or a closed form).",
-        argument: "GJK and its ancestor, Gilbert's algorithm, find the point of the Minkowski difference nearest to the origin, with a \
-            lower bound from its support function. Disk of radius 0.2 m and a box of half extents 0.4 and 0.3 m: with the centre at (0.7, \
-            0.7) the enclosure closes on φ = 0.3 m; at depths 0.05 and 0.1 m below the upper face it closes on 0 both times.",
+        correct_statement: r"GJK computes the distance, which is $\varphi$ only while the bodies are disjoint. In penetration the distance
+            is 0 for every depth; the negative branch needs another algorithm (EPA, or a closed form).",
+        argument: r"GJK and its ancestor, Gilbert's algorithm, find the point of the Minkowski difference nearest to the origin, with a
+            lower bound from its support function. Disk of radius 0.2 m and a box of half extents 0.4 and 0.3 m: with the centre at
+            $(0.7, 0.7)$ the enclosure closes on $\varphi = 0.3$ m; at depths 0.05 and 0.1 m below the upper face it closes on 0 both
+            times.",
         controls: &["Disks beside a corner of the box in the place of those inside it.", "The algorithm stopped after its first step."],
         sources: &["chapter §0, gap function", "Gilbert, Johnson, Keerthi, IEEE J. Robotics and Automation 4 (1988)"],
         check: check!(distance_is_not_depth),

@@ -30,17 +30,17 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S0.hlw",
-        statement: "Hairer, Lubich and Wanner's book of 644 pages assumes smooth Hamiltonian systems throughout; all its error estimates \
-            need f ∈ Cᵏ.",
+        statement: r"Hairer, Lubich and Wanner's book of 644 pages assumes smooth Hamiltonian systems throughout; all its error estimates
+            need $f \in C^k$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Citation,
         severity: None,
         evidence: Evidence::Measured,
-        correct_statement: "As stated of the estimates: where f is smooth between the nodes a method has its order, where f jumps within \
-            a step it has not. Neither the number of pages nor the contents of the book were checked. (What follows for solutions of \
-            bounded variation is S0.order-meaningless.)",
-        argument: "Runge–Kutta on a ball on a spring through three impacts, closed form by arcs: order 4 with the impacts located, so that \
-            f is smooth in every step; order 1 with the velocity flipped at the end of the step, within which it jumps.",
+        correct_statement: r"As stated of the estimates: where $f$ is smooth between the nodes a method has its order, where $f$ jumps
+            within a step it has not. Neither the number of pages nor the contents of the book were checked. (What follows for solutions
+            of bounded variation is S0.order-meaningless.)",
+        argument: r"Runge–Kutta on a ball on a spring through three impacts, closed form by arcs: order 4 with the impacts located, so
+            that $f$ is smooth in every step; order 1 with the velocity flipped at the end of the step, within which it jumps.",
         controls: &["The flip and the located impacts exchanged."],
         sources: &["chapter §0, (a) solutions of bounded variation"],
         check: check!(smooth_pieces),
@@ -54,12 +54,12 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Citation,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, with the condition of §8: elastic impacts (e = 1) without friction (Fetecau, Marsden, Ortiz and \
-            West, in this order). There the step through the impact is symplectic, and a step whose position is then set onto the \
-            surface is not. With e < 1 no integrator that follows the motion can be, since the motion is not: its determinant is e². \
-            How much the method is used, and why, was not examined.",
-        argument: "Unit mass, g = 2, h = 1/2, hit after 1/4: DᵀJD − J = 0 of the variational step, exactly. The same with the velocity \
-            after the step times 4/5: the determinant is 4/5. With the position after the step set to 0, the determinant is 0.",
+        correct_statement: r"As stated, with the condition of §8: elastic impacts ($e = 1$) without friction (Fetecau, Marsden, Ortiz and
+            West, in this order). There the step through the impact is symplectic, and a step whose position is then set onto the surface
+            is not. With $e < 1$ no integrator that follows the motion can be, since the motion is not: its determinant is $e^2$. How much
+            the method is used, and why, was not examined.",
+        argument: r"Unit mass, $g = 2$, $h = 1/2$, hit after 1/4: $D^TJD - J = 0$ of the variational step, exactly. The same with the
+            velocity after the step times 4/5: the determinant is 4/5. With the position after the step set to 0, the determinant is 0.",
         controls: &["The step that keeps 4/5 of the velocity.", "The position left where it is in the place of that set onto the surface."],
         sources: &["chapter §0, variational integrators", "Fetecau, Marsden, Ortiz and West, SIAM J. Appl. Dyn. Syst. 2 (2003) 381"],
         check: check!(variational),

@@ -9,16 +9,17 @@ use moreau_exact::witness::decided;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S0.rk4-local",
-        statement: "If the impact lies within a step, the local truncation error of RK4 collapses from O(h⁵) to O(h) or even O(1).",
+        statement: r"If the impact lies within a step, the local truncation error of RK4 collapses from $O(h^5)$ to $O(h)$ or even
+            $O(1)$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: with the velocity reversed at the end of the step, position and velocity are wrong by O(h); with \
-            the impact ignored in the step, the position by O(h) and the velocity by O(1).",
-        argument: "Impact with speed u, a time τ before the end of the step. Free flight is a parabola, which RK4 integrates exactly. \
-                   Reversed at the end: v is wrong by (1+e)gτ, q by −(1+e)uτ. Ignored: v is wrong by −(1+e)u, −7.974 m/s for \
-                   e = 0.8, u = 4.43 m/s.",
+        correct_statement: r"As stated: with the velocity reversed at the end of the step, position and velocity are wrong by $O(h)$; with
+            the impact ignored in the step, the position by $O(h)$ and the velocity by $O(1)$.",
+        argument: r"Impact with speed $u$, a time $\tau$ before the end of the step. Free flight is a parabola, which RK4 integrates
+            exactly. Reversed at the end: $v$ is wrong by $(1 + e)g\tau$, $q$ by $-(1 + e)u\tau$. Ignored: $v$ is wrong by $-(1 + e)u$,
+            −7.974 m/s for $e = 0.8$, $u = 4.43$ m/s.",
         controls: &["An impact one step later: the step does not straddle it and the error formulas must fail."],
         sources: &["chapter §0, the thought experiment with RK4"],
         check: check!(runge_kutta),
@@ -31,13 +32,14 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "For e < 1 every flip costs (1−e²) m g |q| of energy too much, which is O(h) and vanishes with the step; for \
-                            e = 1 it costs nothing. The failure at the accumulation point is qualitative: the ball sinks through \
-                            the floor at g h (1−e)/(2(1+e)), even if only approaching velocities are flipped.",
-        argument: "Exact flight to depth |q| has v² = V² + 2g|q|. After v → −e v the energy is ½e²V² − (1−e²) g |q| per unit mass, \
-                   instead of ½e²V²; with steps that end on the floor and one more, |q| = h(V + ½ g h). Resting below the floor, each \
-                   step does v → −e(v − g h), with the fixed point v = e g h/(1+e), and moves by h(v − ½ g h) = −(1−e) g h²/(2(1+e)).",
-        controls: &["e = 1/2 in the place of the elastic ball.", "A ball thrown down at 1 m/s without gravity: no flip costs anything."],
+        correct_statement: r"For $e < 1$ every flip costs $(1 - e^2)\,m\,g\,|q|$ of energy too much, which is $O(h)$ and vanishes with the
+            step; for $e = 1$ it costs nothing. The failure at the accumulation point is qualitative: the ball sinks through the floor at
+            $g\,h\,(1 - e)/(2(1 + e))$, even if only approaching velocities are flipped.",
+        argument: r"Exact flight to depth $|q|$ has $v^2 = V^2 + 2g|q|$. After $v \to -e\,v$ the energy is
+            $\tfrac12e^2V^2 - (1 - e^2)\,g\,|q|$ per unit mass, instead of $\tfrac12e^2V^2$; with steps that end on the floor and one
+            more, $|q| = h(V + \tfrac12\,g\,h)$. Resting below the floor, each step does $v \to -e(v - g\,h)$, with the fixed point
+            $v = e\,g\,h/(1 + e)$, and moves by $h(v - \tfrac12\,g\,h) = -(1 - e)\,g\,h^2/(2(1 + e))$.",
+        controls: &[r"$e = 1/2$ in the place of the elastic ball.", "A ball thrown down at 1 m/s without gravity: no flip costs anything."],
         sources: &["chapter §0, common pitfall"],
         check: check!(flipping),
     },

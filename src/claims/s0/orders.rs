@@ -16,22 +16,22 @@ use crate::trajectory::estimate_order;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S0.all-Oh",
-        statement: "At an impact the solution is of bounded variation, so all integrators degrade to at most O(h); high-order methods \
-                    have no advantage there, they are even worse because their stages straddle the jump.",
+        statement: r"At an impact the solution is of bounded variation, so all integrators degrade to at most $O(h)$; high-order methods
+            have no advantage there, they are even worse because their stages straddle the jump.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Measured,
-        correct_statement: "True of integrators that step over the impact: they degrade to O(h), and at equal work the high order is a \
-            loss. One that locates the impact keeps its order up to any time before the accumulation point: RK4 with root finding is of \
-            order 4 through impacts. (The chapter treats event detection before, and its §1 calls event-driven methods the more \
-            accurate ones for a single impact.) M.high-order says the same.",
-        argument: "A ball on a spring, q̈ = −g − 4q, e = 0.8, closed form by arcs of cosines, over three impacts. RK4 with the impact \
-            bisected to neighbouring floats: the error of q at the end falls like h⁴. Between impacts the method is of order 4; at a \
-            transversal impact the located time and state depend smoothly on the data, so each impact only multiplies the error by a \
-            constant. The same RK4 with the velocity flipped at the end of the step is of order 1. Its error is then 0.97 of that of \
-            the semi-implicit Euler rule with the same step, and more than three times that of the Euler rule with a quarter of it, \
-            which costs the same.",
+        correct_statement: r"True of integrators that step over the impact: they degrade to $O(h)$, and at equal work the high order is a
+            loss. One that locates the impact keeps its order up to any time before the accumulation point: RK4 with root finding is of
+            order 4 through impacts. (The chapter treats event detection before, and its §1 calls event-driven methods the more accurate
+            ones for a single impact.) M.high-order says the same.",
+        argument: r"A ball on a spring, $\ddot q = -g - 4q$, $e = 0.8$, closed form by arcs of cosines, over three impacts. RK4 with the
+            impact bisected to neighbouring floats: the error of $q$ at the end falls like $h^4$. Between impacts the method is of order
+            4; at a transversal impact the located time and state depend smoothly on the data, so each impact only multiplies the error by
+            a constant. The same RK4 with the velocity flipped at the end of the step is of order 1. Its error is then 0.97 of that of the
+            semi-implicit Euler rule with the same step, and more than three times that of the Euler rule with a quarter of it, which
+            costs the same.",
         controls: &[
             "RK4 with the velocity flipped after penetration and the one that locates impacts, exchanged, and equal work and equal steps.",
         ],
@@ -45,17 +45,17 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Measured,
-        correct_statement: "Only the maximum norm of the velocity has no positive order. sup|q|, ∫|v| and the distance of filled-in \
-                            graphs have order 1 through isolated impacts, the last only order ½ where a plastic ball is stopped above \
-                            the floor (S0.orders). (The same section itself calls the error O(h).)",
-        argument: "Moreau–Jean, activation φ ≤ 0, θ = ½, e = 0.8, 1 m drop to the apex after the impact. To leading order the errors are \
-                   sup|q| = V(1+e)(s + ½h), s the lag of the step that bounces behind the impact, and likewise in ∫|v| and in the \
-                   graphs: constants times h once s/h is fixed. sup|v| = (1+e)V − O(h) for every h: on the lag the velocities lie on \
-                   different sides of the jump.",
+        correct_statement: r"Only the maximum norm of the velocity has no positive order. $\sup|q|$, $\int|v|$ and the distance of
+            filled-in graphs have order 1 through isolated impacts, the last only order ½ where a plastic ball is stopped above the floor
+            (S0.orders). (The same section itself calls the error $O(h)$.)",
+        argument: r"Moreau–Jean, activation $\varphi \le 0$, $\theta = \tfrac12$, $e = 0.8$, 1 m drop to the apex after the impact. To
+            leading order the errors are $\sup|q| = V(1 + e)(s + \tfrac12h)$, $s$ the lag of the step that bounces behind the impact, and
+            likewise in $\int|v|$ and in the graphs: constants times $h$ once $s/h$ is fixed. $\sup|v| = (1 + e)V - O(h)$ for every $h$:
+            on the lag the velocities lie on different sides of the jump.",
         controls: &[
             "The same scheme with the restitution left out: its motion does not tend to the exact one, and no norm has a positive \
             order.",
-            "θ = 1 in a run that ends before the impact, where sup|v| has order 1 as well.",
+            r"$\theta = 1$ in a run that ends before the impact, where $\sup|v|$ has order 1 as well.",
         ],
         sources: &["chapter §0, on solutions of bounded variation", "Moreau's filled-in graphs"],
         check: check!(weaker_norms),
@@ -68,36 +68,37 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "Where contacts are reached one after the other, or meet at right angles (S1.weakstar says the same). Through \
-            isolated impacts sup|q| and ∫|v| are O(h) for Moreau–Jean with the activation rules A, B, D (A: φ ≤ 0, B: φ + ½hu ≤ 0, D: φ + \
-            h u_free ≤ 0) and, for e = 0, for Stewart–Trinkle and Anitescu; the graph distance is O(h), O(h ln 1/h) through a Zeno \
-            sequence, and O(√h) for e = 0 where the rule may stop the ball above the floor (D, and B with θ = 1), because it falls once \
-            more from a height O(h).",
-        argument: "Each impact shifts the discrete flight by (1+e)/e·p in time and changes its speed by O(gh), with p between (1−λ−θ)h and \
-            (2−λ−θ)h; sums over impacts give constants for every metric, and the envelopes lie between them. A plastic ball stopped at \
-            height V|p| reaches the speed √(2gV|p|): graphs √(2|p|h/t₁) apart. A mass that meets two walls at once where they lean \
-            towards each other slides up one of them if the step sees the other first (T.moreau-convergence).",
+        correct_statement: r"Where contacts are reached one after the other, or meet at right angles (S1.weakstar says the same). Through
+            isolated impacts $\sup|q|$ and $\int|v|$ are $O(h)$ for Moreau–Jean with the activation rules A, B, D (A: $\varphi \le 0$, B:
+            $\varphi + \tfrac12hu \le 0$, D: $\varphi + h\,u_\text{free} \le 0$) and, for $e = 0$, for Stewart–Trinkle and Anitescu; the
+            graph distance is $O(h)$, $O(h \ln 1/h)$ through a Zeno sequence, and $O(\sqrt{h})$ for $e = 0$ where the rule may stop the
+            ball above the floor (D, and B with $\theta = 1$), because it falls once more from a height $O(h)$.",
+        argument: r"Each impact shifts the discrete flight by $(1 + e)/e\cdot p$ in time and changes its speed by $O(gh)$, with $p$
+            between $(1 - \lambda - \theta)h$ and $(2 - \lambda - \theta)h$; sums over impacts give constants for every metric, and the
+            envelopes lie between them. A plastic ball stopped at height $V|p|$ reaches the speed $\sqrt{2gV|p|}$: graphs
+            $\sqrt{2|p|h/t_1}$ apart. A mass that meets two walls at once where they lean towards each other slides up one of them if the
+            step sees the other first (T.moreau-convergence).",
         controls: &[
             "Walls at right angles in the corner.",
             "Stewart–Trinkle with a trapezoidal position update, which throws the plastic ball out at every step size.",
-            "Contacts that are active at φ ≤ 1 cm in the place of Moreau–Jean's rule.",
+            r"Contacts that are active at $\varphi \le 1$ cm in the place of Moreau–Jean's rule.",
         ],
         sources: &["chapter §0, Zeno phenomenon and the trap of judging by the order; §1, table; §4"],
         check: check!(time_stepping),
     },
     Claim {
         id: "S0.soft-smooth",
-        statement: "(Thought experiment.) Suppose contact forces were always finite smooth functions, every contact a stiff spring λ = \
-            −kφ.",
+        statement: r"(Thought experiment.) Suppose contact forces were always finite smooth functions, every contact a stiff spring
+            $\lambda = -k\varphi$.",
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Exercise,
         severity: None,
         evidence: Evidence::Measured,
-        correct_statement: "λ = −kφ is smooth but also pulls. The force of a contact that only pushes, max(0, −kφ), is Lipschitz with a \
-                            kink at φ = 0: RK4 across the moment of contact is of order 2, not 4.",
-        argument: "Ball of 1 kg, k = 10000 N/m, dropped from 1 m, error of q at 0.008 s after touching, against the parabola followed by \
-                   the oscillation. λ grows like kV(t−t*) after touching, and a rule of any order integrates a kink inside a step with \
-                   error O(kV h²) in v. The same spring acting on both sides: order 4.",
+        correct_statement: r"$\lambda = -k\varphi$ is smooth but also pulls. The force of a contact that only pushes,
+            $\max(0, -k\varphi)$, is Lipschitz with a kink at $\varphi = 0$: RK4 across the moment of contact is of order 2, not 4.",
+        argument: r"Ball of 1 kg, $k = 10000$ N/m, dropped from 1 m, error of $q$ at 0.008 s after touching, against the parabola followed
+            by the oscillation. $\lambda$ grows like $kV(t - t^*)$ after touching, and a rule of any order integrates a kink inside a step
+            with error $O(kV\,h^2)$ in $v$. The same spring acting on both sides: order 4.",
         controls: &["The smooth force takes the place of the one-sided one.", "The one-sided force takes the place of the smooth one."],
         sources: &["chapter §0, exercise 3"],
         check: check!(soft_contact),

@@ -18,9 +18,9 @@ pub const CLAIMS: &[Claim] = &[Claim {
     evidence: Evidence::Measured,
     correct_statement: "The statement is right, the example is not: SHAKE and RATTLE have order 2 (the chapter itself calls orders 1–2 \
         low). High order comes from compositions of RATTLE or from Radau-type methods.",
-    argument: "RATTLE is symmetric, so its order is even. Pendulum of unit length from the horizontal, g = 1, to t = 1: differences \
-        between h and h/2 fall with slope 2.0 for RATTLE and 4.0 for the triple jump composed of it, steps γh, (1 − 2γ)h, γh with γ = 1/(2 \
-        − ∛2).",
+    argument: r"RATTLE is symmetric, so its order is even. Pendulum of unit length from the horizontal, $g = 1$, to $t = 1$: differences
+        between $h$ and $h/2$ fall with slope 2.0 for RATTLE and 4.0 for the triple jump composed of it, steps $\gamma h$,
+        $(1 - 2\gamma)h$, $\gamma h$ with $\gamma = 1/(2 - \sqrt[3]2)$.",
     controls: &["The composition, as if it were RATTLE.", "RATTLE, as if it were the composition."],
     sources: &[
         "chapter §0, essential insight on equality constraints",

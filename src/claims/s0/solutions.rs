@@ -18,30 +18,31 @@ use crate::trajectory::metrics::total_variation;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S0.height-e2",
-        statement: "For e < 1 the bouncing ball's heights shrink by e² and its flight times by e per bounce.",
+        statement: r"For $e < 1$ the bouncing ball's heights shrink by $e^2$ and its flight times by $e$ per bounce.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated.",
-        argument: "A launch at w lands after 2w/g, at the speed w, with apex w²/(2g) at w/g; the next \
-                   launch is e w. In rationals, for e = 16/25: heights 256/625, times 16/25.",
-        controls: &["A law that keeps the fraction e of the energy instead of the speed: the speed ratio is √e = 4/5."],
+        argument: r"A launch at $w$ lands after $2w/g$, at the speed $w$, with apex $w^2/(2g)$ at $w/g$; the next launch is $e\,w$. In
+            rationals, for $e = 16/25$: heights 256/625, times 16/25.",
+        controls: &[r"A law that keeps the fraction $e$ of the energy instead of the speed: the speed ratio is $\sqrt{e} = 4/5$."],
         sources: &["chapter §0, bouncing ball"],
         check: check!(shrinking),
     },
     Claim {
         id: "S0.tinf",
-        statement: "With t₀ the duration of the first flight after the first impact, the flights last e t₀, e² t₀, … and the total time \
-                    T∞ is finite.",
+        statement: r"With $t_0$ the duration of the first flight after the first impact, the flights last $e\,t_0$, $e^2\,t_0$, … and the
+            total time $T_\infty$ is finite.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "T∞ = t₁ + t₀/(1−e) with t₀ = 2e t₁, that is t₁(1+e)/(1−e); 4.063712768872 s for e = 0.8, q₀ = 1 m, g = 9.81.",
-        argument: "t_k/t₁ = 1 + 2(e + … + e^{k−1}); the remainder T∞ − t_k = 2 t₁ e^k/(1−e) holds exactly for k = 1 … 60 and falls below \
-                   every bound. For e = 4/5, T∞ = 9 t₁.",
-        controls: &["t₀ = 2 t₁, the first flight without its loss: T∞ = 11 t₁."],
+        correct_statement: r"$T_\infty = t_1 + t_0/(1 - e)$ with $t_0 = 2e\,t_1$, that is $t_1(1 + e)/(1 - e)$; 4.063712768872 s for
+            $e = 0.8$, $q_0 = 1$ m, $g = 9.81$.",
+        argument: r"$t_k/t_1 = 1 + 2(e + \ldots + e^{k - 1})$; the remainder $T_\infty - t_k = 2\,t_1\,e^k/(1 - e)$ holds exactly for
+            $k = 1$ … 60 and falls below every bound. For $e = 4/5$, $T_\infty = 9\,t_1$.",
+        controls: &[r"$t_0 = 2\,t_1$, the first flight without its loss: $T_\infty = 11\,t_1$."],
         sources: &["chapter §0, bouncing ball and exercise 1"],
         check: check!(total_time),
     },
@@ -52,23 +53,23 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated; the bouncing ball's velocity has total variation 2 g t₁ (1+e)/(1−e) over [0, T∞], 79.730 m/s for \
-                            e = 0.8 and 1 m, and its position the Lipschitz constant g t₁.",
-        argument: "Flights contribute g T∞ and impacts Σ(1+e) g t₁ e^{k−1}, both g t₁(1+e)/(1−e). The discrete velocities of Moreau–Jean \
-            to \
-                   1.5 T∞ have the same variation up to O(h ln 1/h), so it is bounded uniformly in h, and their positions the same \
-                   slope up to O(h).",
+        correct_statement: r"As stated; the bouncing ball's velocity has total variation $2\,g\,t_1\,(1 + e)/(1 - e)$ over
+            $[0, T_\infty]$, 79.730 m/s for $e = 0.8$ and 1 m, and its position the Lipschitz constant $g\,t_1$.",
+        argument: r"Flights contribute $g\,T_\infty$ and impacts $\sum(1 + e)\,g\,t_1\,e^{k - 1}$, both $g\,t_1(1 + e)/(1 - e)$. The
+            discrete velocities of Moreau–Jean to $1.5\,T_\infty$ have the same variation up to $O(h \ln 1/h)$, so it is bounded uniformly
+            in $h$, and their positions the same slope up to $O(h)$.",
         controls: &[
-            "Activation φ + hv ≤ 0 with v ≤ 0, under which the resting ball changes its velocity by g h in every step: the variation \
-            grows by g per second.",
-            "The shift e v⁻ of the impact law four times too large: the ball leaves faster than it comes.",
+            r"Activation $\varphi + hv \le 0$ with $v \le 0$, under which the resting ball changes its velocity by $g\,h$ in every step:
+                the variation grows by $g$ per second.",
+            r"The shift $e\,v^-$ of the impact law four times too large: the ball leaves faster than it comes.",
         ],
         sources: &["chapter §0, table and item (a)"],
         check: check!(bounded_variation),
     },
     Claim {
         id: "S0.measure-split",
-        statement: "The contact measure dR splits into a Lebesgue-continuous part (lasting contact, λ dt) plus atoms (impacts, ΣP_i δ).",
+        statement: r"The contact measure $dR$ splits into a Lebesgue-continuous part (lasting contact, $\lambda\,dt$) plus atoms (impacts,
+            $\sum P_i\,\delta$).",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
@@ -76,10 +77,11 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "It splits into a density, atoms and a singular continuous part; the last is absent if the velocity is a \
             special \
                             function of bounded variation (no Cantor part), which is a hypothesis.",
-        argument: "A mass m resting on a floor that rises at the velocity c(t), c the Cantor function: c does not decrease, so contact \
-            lasts, v = c, and dR = m g dt + m dc. At level n the whole rise 1 of c lies on 2ⁿ intervals of total length (2/3)ⁿ, with \
-            2⁻ⁿ on each: dc has no density (its support has length 0) and no atom (each is below 2⁻ⁿ), yet mass 1. On the same \
-            intervals a floor of constant acceleration rises by (2/3)ⁿ, and one whose velocity jumps rises in one piece.",
+        argument: r"A mass $m$ resting on a floor that rises at the velocity $c(t)$, $c$ the Cantor function: $c$ does not decrease, so
+            contact lasts, $v = c$, and $dR = m\,g\,dt + m\,dc$. At level $n$ the whole rise 1 of $c$ lies on $2^n$ intervals of total
+            length $(2/3)^n$, with $2^{-n}$ on each: $dc$ has no density (its support has length 0) and no atom (each is below $2^{-n}$),
+            yet mass 1. On the same intervals a floor of constant acceleration rises by $(2/3)^n$, and one whose velocity jumps rises in
+            one piece.",
         controls: &[
             "The floor whose velocity jumps by 1 once in the place of Cantor's: its rise is one piece, an atom.",
             "Cantor's floor in the place of the uniform one, and the uniform one in the place of the jump.",

@@ -11,19 +11,19 @@ use crate::tolerance::rounding;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S0.event-stuck",
-        statement: "An event-driven method must detect and process every bounce; near T∞ the intervals tend to zero, the root \
-                    finding never stops and the simulation is stuck before T∞.",
+        statement: r"An event-driven method must detect and process every bounce; near $T_\infty$ the intervals tend to zero, the root
+            finding never stops and the simulation is stuck before $T_\infty$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated, without a rule of continuation. In exact arithmetic every landing advances the clock and none \
-            reaches T∞; in floating point the clock stands still, at T∞ to rounding, once a flight is shorter than half the spacing of \
-            floats there. A minimum interval ends the loop after ⌈ln(δ/2t₁)/ln e⌉ landings, and the infinitely many bounces can also be \
-            summed in closed form.",
-        argument: "With t₁ = 1 the k-th flight lasts 2eᵏ and T∞ = (1+e)/(1−e). For e = 4/5, rationals: after 400 flights \
-                   T∞ − t = 10·(4/5)⁴⁰¹ > 0 and every landing advanced the clock. Floats: 2·0.8ᵏ falls below half the spacing \
-                   2⁻⁴⁹ of the floats near 9 at k = 159, and the clock stops.",
+        correct_statement: r"As stated, without a rule of continuation. In exact arithmetic every landing advances the clock and none
+            reaches $T_\infty$; in floating point the clock stands still, at $T_\infty$ to rounding, once a flight is shorter than half
+            the spacing of floats there. A minimum interval ends the loop after $\lceil\ln(\delta/2t_1)/\ln e\rceil$ landings, and the infinitely
+            many bounces can also be summed in closed form.",
+        argument: r"With $t_1 = 1$ the $k$-th flight lasts $2e^k$ and $T_\infty = (1 + e)/(1 - e)$. For $e = 4/5$, rationals: after 400
+            flights $T_\infty - t = 10\cdot(4/5)^{401} > 0$ and every landing advanced the clock. Floats: $2\cdot0.8^k$ falls below half
+            the spacing $2^{-49}$ of the floats near 9 at $k = 159$, and the clock stops.",
         controls: &["An elastic ball, whose flights do not shrink.", "A plastic ball, which has one landing."],
         sources: &["chapter §0, Zeno phenomenon"],
         check: check!(event_loop),
@@ -36,36 +36,39 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Opinion,
         severity: None,
         evidence: Evidence::NotDecidable,
-        correct_statement: "Whether a patch is ad hoc is a judgement. Its error is bounded and vanishes with the threshold: stopping \
-                            at take-off speeds below v_thr skips less than 2 v_thr/(g(1−e)) of time, v_thr²/(2g) of height and \
-                            ½ m v_thr² of energy.",
-        argument: "The flights left from take-off speed u < v_thr last 2u/g · (1 + e + e² + …) = 2u/(g(1−e)), and none rises above \
-                   u²/(2g). Checked in rationals for e = 4/5 and thresholds of 1/10, 1/100 and 1/1000 of the impact speed.",
-        controls: &["A patch that stops the ball at V/2 whatever threshold it was given: its error does not vanish with the threshold."],
+        correct_statement: r"Whether a patch is ad hoc is a judgement. Its error is bounded and vanishes with the threshold: stopping at
+            take-off speeds below $v_\text{thr}$ skips less than $2\,v_\text{thr}/(g(1 - e))$ of time, $v_\text{thr}^2/(2g)$ of height and
+            $\tfrac12\,m\,v_\text{thr}^2$ of energy.",
+        argument: r"The flights left from take-off speed $u < v_\text{thr}$ last $2u/g \cdot (1 + e + e^2 + \ldots) = 2u/(g(1 - e))$, and
+            none rises above $u^2/(2g)$. Checked in rationals for $e = 4/5$ and thresholds of 1/10, 1/100 and 1/1000 of the impact
+            speed.",
+        controls: &[r"A patch that stops the ball at $V/2$ whatever threshold it was given: its error does not vanish with the threshold."],
         sources: &["chapter §0, Zeno phenomenon"],
         check: check!(threshold),
     },
     Claim {
         id: "S0.zeno-absorb",
-        statement: "Time-stepping does not detect events: when the steps pass T∞ the ball has long been at rest, the micro-bounces \
-                    are absorbed automatically, without any special treatment.",
+        statement: r"Time-stepping does not detect events: when the steps pass $T_\infty$ the ball has long been at rest, the
+            micro-bounces are absorbed automatically, without any special treatment.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "True of Moreau–Jean with the activation rules φ ≤ 0, φ + ½hv ≤ 0 and φ + h v_free ≤ 0 (0 < e < 1, \
-                            θ ∈ {½, 1}): the ball is absorbed at a time that differs from T∞ by O(h log 1/h), early or late, rests \
-                            within O(g h²) of the floor and keeps |v| → 0 geometrically. Under φ + hv ≤ 0 with v ≤ 0 it is not: \
-                            the ball sinks through the floor at g h (1−e)/(2(1+e)).",
-        argument: "Two consecutive active states with |v| ≤ g h/(1+e) contract by e for ever; the discrete energy decides when they \
-            must occur (proof at the bounds in the source). For e = 0.8, q₀ = 1 m, h = 0.01 s the six variants are absorbed between 27 \
-            steps before T∞ (φ ≤ 0, θ = ½) and 43 steps after it (φ + h v_free ≤ 0, θ = 1). To first order an impact shifts all later \
-            landings by h − p(1+e)/e, on the average with p = (3/2 − λ − θ)h, where the rule looks λ of a step ahead: early if λ + θ < \
-            3/2 − e/(1+e), else late. The rule with v ≤ 0 alternates between v = −g h/(1+e) and v = e g h/(1+e) and loses (1−e) g h²/(1+e) \
-            of height every two steps: 0.01635 m/s for e = ½, h = 0.01, g = 9.81.",
+        correct_statement: r"True of Moreau–Jean with the activation rules $\varphi \le 0$, $\varphi + \tfrac12hv \le 0$ and
+            $\varphi + h\,v_\text{free} \le 0$ ($0 < e < 1$, $\theta \in \{\tfrac12, 1\}$): the ball is absorbed at a time that differs
+            from $T_\infty$ by $O(h \log 1/h)$, early or late, rests within $O(g\,h^2)$ of the floor and keeps $|v| \to 0$ geometrically.
+            Under $\varphi + hv \le 0$ with $v \le 0$ it is not: the ball sinks through the floor at $g\,h\,(1 - e)/(2(1 + e))$.",
+        argument: r"Two consecutive active states with $|v| \le g\,h/(1 + e)$ contract by $e$ for ever; the discrete energy decides when
+            they must occur (proof at the bounds in the source). For $e = 0.8$, $q_0 = 1$ m, $h = 0.01$ s the six variants are absorbed
+            between 27 steps before $T_\infty$ ($\varphi \le 0$, $\theta = \tfrac12$) and 43 steps after it
+            ($\varphi + h\,v_\text{free} \le 0$, $\theta = 1$). To first order an impact shifts all later landings by $h - p(1 + e)/e$, on
+            the average with $p = (3/2 - \lambda - \theta)h$, where the rule looks $\lambda$ of a step ahead: early if
+            $\lambda + \theta < 3/2 - e/(1 + e)$, else late. The rule with $v \le 0$ alternates between $v = -g\,h/(1 + e)$ and
+            $v = e\,g\,h/(1 + e)$ and loses $(1 - e)\,g\,h^2/(1 + e)$ of height every two steps: 0.01635 m/s for $e = \tfrac12$,
+            $h = 0.01$, $g = 9.81$.",
         controls: &[
-            "The unconditional reading: the rule φ + hv ≤ 0 with v ≤ 0 put through the same check.",
-            "The rule φ + ½hv ≤ 0 in the place of that with v ≤ 0: the ball does not sink.",
+            r"The unconditional reading: the rule $\varphi + hv \le 0$ with $v \le 0$ put through the same check.",
+            r"The rule $\varphi + \tfrac12hv \le 0$ in the place of that with $v \le 0$: the ball does not sink.",
             "Anitescu's scheme, which knows no restitution: the ball rests from its first impact on.",
         ],
         sources: &["chapter §0, Zeno phenomenon; chapter §12 for the rule with v_free"],
@@ -73,17 +76,18 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S0.ex1",
-        statement: "Exercise: derive t_k, show t_k → T∞ < ∞, compute T∞ for e = 0.8, q₀ = 1 m, g = 9.81 m/s²; near which time does \
-                    an event-driven method with step 10⁻³ s get stuck?",
+        statement: r"Exercise: derive $t_k$, show $t_k \to T_\infty < \infty$, compute $T_\infty$ for $e = 0.8$, $q_0 = 1$ m, $g = 9.81$
+            m/s²; near which time does an event-driven method with step $10^{-3}$ s get stuck?",
         verdict: ClaimVerdict::True,
         kind: Kind::Exercise,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "T∞ = 9 √(2/9.81) s = 4.0637 s; a method that cannot resolve flights shorter than 10⁻³ s makes 31 landings \
-                            and stops 4.47·10⁻³ s before T∞.",
-        argument: "t_k = t₁(1 + 2(e + … + e^{k−1})), t₁ = √(2q₀/g). The last flight 2 t₁ eᵏ ≥ δ ends with landing 31; \
-                   δ e/(1−e) ≤ T∞ − t < δ/(1−e) since the next flight lasts between eδ and δ.",
-        controls: &["Flights of t₁ eᵏ, which forgets that the ball goes up and comes down."],
+        correct_statement: r"$T_\infty = 9\,\sqrt{2/9.81}\,s = 4.0637$ s; a method that cannot resolve flights shorter than $10^{-3}$ s
+            makes 31 landings and stops $4.47\cdot10^{-3}$ s before $T_\infty$.",
+        argument: r"$t_k = t_1(1 + 2(e + \ldots + e^{k - 1}))$, $t_1 = \sqrt{2q_0/g}$. The last flight $2\,t_1\,e^k \ge \delta$ ends with
+            landing 31; $\delta\,e/(1 - e) \le T_\infty - t < \delta/(1 - e)$ since the next flight lasts between $e\delta$ and
+            $\delta$.",
+        controls: &[r"Flights of $t_1\,e^k$, which forgets that the ball goes up and comes down."],
         sources: &["chapter §0, exercise 1"],
         check: check!(accumulation_time),
     },

@@ -12,33 +12,34 @@ use crate::trajectory::{Refinement, fit_order};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S1.filippov",
-        statement: "On a switching surface that the fields of both sides point at, the sliding mode is the convex combination ẋ = α f₊ \
-            + (1−α) f₋, and α is fixed uniquely by ṡ = 0.",
+        statement: r"On a switching surface that the fields of both sides point at, the sliding mode is the convex combination
+            $\dot x = \alpha\,f_+ + (1 - \alpha)\,f_-$, and $\alpha$ is fixed uniquely by $\dot s = 0$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, for one surface, which the chapter says: α = ∇s·f₋/(∇s·f₋ − ∇s·f₊) ∈ (0, 1). Where one field \
-            crosses the surface there is no such α in [0, 1]; where two surfaces meet, four fields and three conditions leave a \
-            family.",
-        argument: "ṡ = α∇s·f₊ + (1−α)∇s·f₋ is affine in α, positive at α = 0 and negative at α = 1: one zero, inside. Several pairs of \
-            rational fields. That the combination is what happens: a relay with a hysteresis ±ε zigzags across the surface, 2ε/|∇s·f₊| \
-            above and 2ε/(∇s·f₋) below, and its mean velocity along the surface is exactly that of the combination.",
+        correct_statement: r"As stated, for one surface, which the chapter says: $\alpha = \nabla s\cdot f_-/(\nabla s\cdot f_- - \nabla
+            s\cdot f_+) \in (0, 1)$. Where one field crosses the surface there is no such $\alpha$ in $[0, 1]$; where two surfaces meet,
+            four fields and three conditions leave a family.",
+        argument: r"$\dot s = \alpha\nabla s\cdot f_+ + (1 - \alpha)\nabla s\cdot f_-$ is affine in $\alpha$, positive at $\alpha = 0$ and
+            negative at $\alpha = 1$: one zero, inside. Several pairs of rational fields. That the combination is what happens: a relay
+            with a hysteresis $\pm\varepsilon$ zigzags across the surface, $2\varepsilon/|\nabla s\cdot f_+|$ above and
+            $2\varepsilon/(\nabla s\cdot f_-)$ below, and its mean velocity along the surface is exactly that of the combination.",
         controls: &["Fields of which one crosses the surface."],
         sources: &["chapter §1, Filippov systems and sliding modes", "Filippov 1988, §4"],
         check: check!(convex_combination),
     },
     Claim {
         id: "S1.stick-sliding",
-        statement: "Sticking under Coulomb friction is a sliding mode on v_t = 0, slipping is regular motion.",
+        statement: r"Sticking under Coulomb friction is a sliding mode on $v_t = 0$, slipping is regular motion.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated.",
-        argument: "The dry-friction oscillator (δ = 0.15, q₀ = 1) integrated as a Filippov system enters the sliding mode at the end of a \
-            half-cycle and stays, with α = ½(1 − q/δ); on the belt it is in the mode for 2Δ/v_b in each period: both as the closed forms \
-            of Coulomb's law say.",
+        argument: r"The dry-friction oscillator ($\delta = 0.15$, $q_0 = 1$) integrated as a Filippov system enters the sliding mode at
+            the end of a half-cycle and stays, with $\alpha = \tfrac12(1 - q/\delta)$; on the belt it is in the mode for $2\Delta/v_b$ in
+            each period: both as the closed forms of Coulomb's law say.",
         controls: &[
             "A belt with less sticking friction, 0.6 in the place of 0.7, in the simulation.",
             "A third of the friction on the oscillator: it still swings at the end.",
@@ -56,8 +57,9 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Measured,
         correct_statement: "As stated, “exactly” meaning to the accuracy of the integrator and the root finder. The paper was not read; \
             what its kind of method can do is measured on one of our own.",
-        argument: "Belt: releases follow each other after the period of the closed form to 10⁻⁹ s. With fixed steps and located switches \
-            the state has the order of the integrator, with switches noticed at the end of a step they are late by the rest of the step.",
+        argument: r"Belt: releases follow each other after the period of the closed form to $10^{-9}$ s. With fixed steps and located
+            switches the state has the order of the integrator, with switches noticed at the end of a step they are late by the rest of
+            the step.",
         controls: &["Switches that are located and those noticed at the end of a step, exchanged."],
         sources: &["chapter §1, advantage of event-driven methods", "Piiroinen and Kuznetsov, ACM TOMS 34(3), 2008 (not read)"],
         check: check!(detection),

@@ -15,8 +15,8 @@ pub const CLAIMS: &[Claim] = &[Claim {
     evidence: Evidence::Cited,
     correct_statement: "As stated: by default, as the chapter's list of defaults says. It also has implicit, implicitfast, RK4 and, in \
         newer versions, discrete; §6 of the chapter names two of them.",
-    argument: "Asked of the pinned release, 3.17.0: the default integrator is number 0, and Euler has the number 0. Semi-implicit Euler on \
-        q̈ = −4q, error of q at 2 s for h = 2⁻⁶ … 2⁻⁹ s: order 1.",
+    argument: r"Asked of the pinned release, 3.17.0: the default integrator is number 0, and Euler has the number 0. Semi-implicit Euler
+        on $\ddot q = -4q$, error of $q$ at 2 s for $h = 2^{-6}$ … $2^{-9}$ s: order 1.",
     controls: &["RK4, another integrator of MuJoCo."],
     sources: &["chapter §1 and the list of defaults at its end", "MuJoCo 3.17.0, answers in references/facts/mujoco.json"],
     check: check!(integrators),

@@ -22,32 +22,32 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "A limit of a subsequence. For the ball that falls under gravity the limit is unique; where two sliding forces \
-            exist a step itself has three answers at every h, which tend to two different motions, \
-            and the solver's pivoting decides between them. The chapter's §4 says so: existence is not uniqueness.",
-        argument: "Rod with μ = 3/2 > μ_P, upward normal free acceleration b = 5 m/s²: P_n = 0, 125h/2 or 9/25 − 73h/20 for h = 10⁻³ … \
-            10⁻⁶, exactly three answers. The first two vanish with h, the third tends to the impact P_n = 9/25, so the answers do not \
-            come together.",
-        controls: &["μ = 1 < μ_P: one answer."],
+        correct_statement: r"A limit of a subsequence. For the ball that falls under gravity the limit is unique; where two sliding forces
+            exist a step itself has three answers at every $h$, which tend to two different motions, and the solver's pivoting decides
+            between them. The chapter's §4 says so: existence is not uniqueness.",
+        argument: r"Rod with $\mu = 3/2 > \mu_P$, upward normal free acceleration $b = 5$ m/s²: $P_n = 0$, $125h/2$ or $9/25 - 73h/20$ for
+            $h = 10^{-3}$ … $10^{-6}$, exactly three answers. The first two vanish with $h$, the third tends to the impact $P_n = 9/25$,
+            so the answers do not come together.",
+        controls: &[r"$\mu = 1 < \mu_P$: one answer."],
         sources: &["chapter §1, history; the pitfall in the same section; §4, existence and uniqueness"],
         check: check!(several_limits),
     },
     Claim {
         id: "S1.stewart98",
-        statement: "Stewart (1998) proves that the limit h → 0 of time-stepping is a solution of the measure differential inclusion (§4, \
-            abridged: a subsequence converges weakly*, if M ≻ 0 is Lipschitz, F continuous and μ bounded).",
+        statement: r"Stewart (1998) proves that the limit $h \to 0$ of time-stepping is a solution of the measure differential inclusion
+            (§4, abridged: a subsequence converges weakly*, if $M \succ 0$ is Lipschitz, $F$ continuous and $\mu$ bounded).",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Citation,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Measured,
-        correct_statement: "As stated of plastic impacts (e = 0), and under conditions on the friction cone that the chapter does not \
+        correct_statement: r"As stated of plastic impacts ($e = 0$), and under conditions on the friction cone that the chapter does not
             name. The paper was not read; what it concludes is checked on one motion, and why a subsequence is needed is shown.",
-        argument: "Stewart–Trinkle on a plastic ball: sup|q|, ∫|v| and the graphs converge with order 1 (S0.orders has the \
-            constants). A ball with e = 0.8 it stops as well, whatever h: sup|q| has order 0. On Painlevé's rod with two sliding \
-            forces, μ = 3/2, the step has the answers P_n = 0 and 9/25 − 73h/20, each with its limit: one kind of answer is a \
+        argument: r"Stewart–Trinkle on a plastic ball: $\sup|q|$, $\int|v|$ and the graphs converge with order 1 (S0.orders has the
+            constants). A ball with $e = 0.8$ it stops as well, whatever $h$: $\sup|q|$ has order 0. On Painlevé's rod with two sliding
+            forces, $\mu = 3/2$, the step has the answers $P_n = 0$ and $9/25 - 73h/20$, each with its limit: one kind of answer is a
             subsequence that converges, the two in turn are not.",
         controls: &[
-            "Moreau–Jean in the place of Stewart–Trinkle on the ball with e = 0.8.",
+            r"Moreau–Jean in the place of Stewart–Trinkle on the ball with $e = 0.8$.",
             "A trapezoidal position update, which throws the plastic ball out at every step size.",
             "The smallest and the largest answer on the rod in turn: the whole sequence.",
         ],
@@ -65,14 +65,15 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "For subsequences, and where contacts are reached one after the other or meet at right angles. Otherwise the \
-            limit need not solve the inclusion (T.moreau-convergence). Weakly* is said of the impulses; velocities converge in the mean \
-            and, away from the impacts, pointwise. Neither converges in a stronger sense: not the mass of the difference, not the \
-            largest error of v.",
-        argument: "Moreau–Jean, e = ½, on a wall hit at ⅓ s, h = 2⁻⁴ … 2⁻⁸ in rationals: ∫g dP_h → (3/2) g(⅓) for three functions with \
-            errors ≤ 6h; the mass of P_h − (3/2) δ_⅓ is 3 and v_h(⅓ + h/3) = −1, not ½, at every h. A plastic mass that reaches the \
-            corner of y ≥ 0 and 4x + 3y ≥ 0 is stopped by the inclusion; with steps that see the floor before the wall it climbs the \
-            wall, however small h: no subsequence of those tends to the solution.",
+        correct_statement: r"For subsequences, and where contacts are reached one after the other or meet at right angles. Otherwise the
+            limit need not solve the inclusion (T.moreau-convergence). Weakly* is said of the impulses; velocities converge in the mean
+            and, away from the impacts, pointwise. Neither converges in a stronger sense: not the mass of the difference, not the largest
+            error of $v$.",
+        argument: r"Moreau–Jean, $e = \tfrac12$, on a wall hit at ⅓ s, $h = 2^{-4}$ … $2^{-8}$ in rationals:
+            $\int g\,dP_h \to (3/2)\,g(\tfrac13)$ for three functions with errors $\le 6h$; the mass of $P_h - (3/2)\,\delta_{\tfrac13}$
+            is 3 and $v_h(\tfrac13 + h/3) = -1$, not ½, at every $h$. A plastic mass that reaches the corner of $y \ge 0$ and
+            $4x + 3y \ge 0$ is stopped by the inclusion; with steps that see the floor before the wall it climbs the wall, however small
+            $h$: no subsequence of those tends to the solution.",
         controls: &[
             "Walls at right angles in the corner.",
             "Stewart–Trinkle's plastic impulses on the wall, which tend to another measure.",
@@ -88,10 +89,10 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated. P = m(1+e)|v| + m g h in the step of the impact, m g h in a step at rest, 0 in flight: the first \
-            stays as h → 0, the second is the weight times h.",
-        argument: "Moreau–Jean on a ball of 3/2 kg, e = 1/2, v = −2 m/s at the floor, h = 10⁻¹ … 10⁻⁴ in rationals: P − m g h = 9/2 N·s at \
-            every h.",
+        correct_statement: r"As stated. $P = m(1 + e)|v| + m\,g\,h$ in the step of the impact, $m\,g\,h$ in a step at rest, 0 in flight:
+            the first stays as $h \to 0$, the second is the weight times $h$.",
+        argument: r"Moreau–Jean on a ball of 3/2 kg, $e = 1/2$, $v = -2$ m/s at the floor, $h = 10^{-1}$ … $10^{-4}$ in rationals:
+            $P - m\,g\,h = 9/2$ N·s at every $h$.",
         controls: &[
             "A ball that touches the floor at rest.",
             "A ball thrown up in the place of the one at rest, and one at the floor in the place of the one in flight.",
@@ -101,13 +102,13 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S1.order12",
-        statement: "Between impacts time-stepping is of order 1 to 2 (θ method, semi-implicit Euler).",
+        statement: r"Between impacts time-stepping is of order 1 to 2 ($\theta$ method, semi-implicit Euler).",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Measured,
-        correct_statement: "As stated: order 2 for θ = ½ and linear forces, 1 for other θ and for Stewart–Trinkle.",
-        argument: "q̈ = −4q, stop out of reach, error of q at 2 s for h = 2⁻⁶ … 2⁻⁹ s.",
+        correct_statement: r"As stated: order 2 for $\theta = \tfrac12$ and linear forces, 1 for other $\theta$ and for Stewart–Trinkle.",
+        argument: r"$\ddot q = -4q$, stop out of reach, error of $q$ at 2 s for $h = 2^{-6}$ … $2^{-9}$ s.",
         controls: &["The classical Runge–Kutta method in the place of each."],
         sources: &["chapter §1, table"],
         check: check!(order),

@@ -19,21 +19,20 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "Before an accumulation of impacts every time is reached after finitely many events; beyond it the method is \
-            defined by a continuation rule, or not at all. \
-            At Painlevé's paradox the contact forces between events do not exist or are not unique, for μ > μ_P only, and there the method \
-            is undefined.",
-        argument: "The ball with e = 4/5 has 10 impacts until 9/10 T∞ and 21 until 99/100. With the declared rule, a bounce shorter than \
-            2⁻²⁰ s is plastic, the method agrees with the closed form before and after T∞. \
-            Rod at cos = 3/5, μ = 2: 0 ≤ λ ⟂ −(4/5)λ + b ≥ 0 has no solution for b = −1 and two for b = 1; the method stops and says so. \
-            With μ = 1 it goes on.",
-        controls: &["The rod with μ = 1 < μ_P = 13/9.", "A livelier ball, e = 9/10."],
+        correct_statement: r"Before an accumulation of impacts every time is reached after finitely many events; beyond it the method is
+            defined by a continuation rule, or not at all. At Painlevé's paradox the contact forces between events do not exist or are not
+            unique, for $\mu > \mu_P$ only, and there the method is undefined.",
+        argument: r"The ball with $e = 4/5$ has 10 impacts until $9/10\,T_\infty$ and 21 until 99/100. With the declared rule, a bounce
+            shorter than $2^{-20}$ s is plastic, the method agrees with the closed form before and after $T_\infty$. Rod at cos $= 3/5$,
+            $\mu = 2$: $0 \le \lambda \perp -(4/5)\lambda + b \ge 0$ has no solution for $b = -1$ and two for $b = 1$; the method stops
+            and says so. With $\mu = 1$ it goes on.",
+        controls: &[r"The rod with $\mu = 1 < \mu_P = 13/9$.", r"A livelier ball, $e = 9/10$."],
         sources: &["chapter §1, history and table", "Champneys and Várkonyi, The Painlevé paradox in contact mechanics (2016)"],
         check: check!(undefined),
     },
     Claim {
         id: "S1.scale",
-        statement: "Event-driven methods are acceptable for up to about ten contacts, time-stepping scales well to 10⁶.",
+        statement: r"Event-driven methods are acceptable for up to about ten contacts, time-stepping scales well to $10^6$.",
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Opinion,
         severity: None,
@@ -41,9 +40,9 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "“Acceptable” and “well” are judgements, and no number is a limit. What can be said: the work of an \
             event-driven method grows with the number of events, which contacts add up; \
             that of a time-stepping method with the number of steps, which they do not.",
-        argument: "Twelve balls over one floor, dropped from different heights with e = 4/5: the event-driven method meets the sum of \
-            their impacts, as many events as the closed forms count, and stays within 10⁻¹⁰ of them. One ball alone meets its own.",
-        controls: &["A floor with e = 1/2 in the simulation."],
+        argument: r"Twelve balls over one floor, dropped from different heights with $e = 4/5$: the event-driven method meets the sum of
+            their impacts, as many events as the closed forms count, and stays within $10^{-10}$ of them. One ball alone meets its own.",
+        controls: &[r"A floor with $e = 1/2$ in the simulation."],
         sources: &["chapter §1, table and bridge to robotics"],
         check: check!(many_contacts),
     },

@@ -21,21 +21,22 @@ use crate::tolerance::gate::ball::{OSCILLATOR_PARTS, oscillator_rebound};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S10.all-delassus",
-        statement: "All six simulators are built on the Delassus operator W = JM⁻¹Jᵀ; they differ in four things only: position or \
+        statement: r"All six simulators are built on the Delassus operator $W = JM^{-1}J^T$; they differ in four things only: position or
             velocity level, polyhedral or second-order cone, relaxed or softened or not, numerical algorithm.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Measured,
-        correct_statement: "All solve a problem whose dual has W as its operator; a primal method (SAP's and MuJoCo's Newton) solves it \
-            without ever forming W. But the four things do not determine the motion: stabilisation, the compliance's own law and the \
-            impact law, for instance, differ between methods that agree in all four, as the chapter's own table shows in its column on \
+        correct_statement: r"All solve a problem whose dual has $W$ as its operator; a primal method (SAP's and MuJoCo's Newton) solves it
+            without ever forming $W$. But the four things do not determine the motion: stabilisation, the compliance's own law and the
+            impact law, for instance, differ between methods that agree in all four, as the chapter's own table shows in its column on
             impacts.",
-        argument: "Tower of three on soft contacts, R = 1/100: the primal system (M + HᵀR⁻¹H) v = M v_free and the dual (W + R) r = −H \
-            v_free give the same velocities exactly. Stored runs of engines that agree in the four things: Siconos's ball sinks more \
-            than twice as deep into the floor without combined projection as with it; a block on 20° that Coulomb holds creeps at \
-            another speed under Drake's approximation kSap than under kLagged, which is solved by the same solver.",
-        controls: &["Two runs with projection; two runs under kLagged.", "A stiffness in the primal system that is not 1/R."],
+        argument: r"Tower of three on soft contacts, $R = 1/100$: the primal system $(M + H^TR^{-1}H)\,v = M\,v_\text{free}$ and the dual
+            $(W + R)\,r = -H\,v_\text{free}$ give the same velocities exactly. Stored runs of engines that agree in the four things:
+            Siconos's ball sinks more than twice as deep into the floor without combined projection as with it; a block on 20° that
+            Coulomb holds creeps at another speed under Drake's approximation kSap than under kLagged, which is solved by the same
+            solver.",
+        controls: &["Two runs with projection; two runs under kLagged.", r"A stiffness in the primal system that is not $1/R$."],
         sources: &[
             "chapter §10, essential insight",
             "Siconos 4.4.0 and Drake 1.51.1, stored runs in references/siconos and references/drake",
@@ -51,9 +52,10 @@ pub const CLAIMS: &[Claim] = &[
         severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated. The differences are those of the declared models and can be predicted from them.",
-        argument: "1 kg at rest on the floor: 0 m deep under an LCP scheme, 3.6718e-4 m in MuJoCo. Rebound of the default contact: e⁻² = \
-            0.135 in MuJoCo, e in a rigid scheme. Block that should stick on 20°, h = 10 ms: 0 (Anitescu), R_t h g_t (SAP), R_t g_t/b \
-            (MuJoCo), 1.0617e-4 m/s (Drake Similar, Lagged). Sliding: u_n = 0 under Coulomb, μ|u_t| under the relaxation.",
+        argument: r"1 kg at rest on the floor: 0 m deep under an LCP scheme, 3.6718e-4 m in MuJoCo. Rebound of the default contact:
+            $e^{-2} = 0.135$ in MuJoCo, $e$ in a rigid scheme. Block that should stick on 20°, $h = 10$ ms: 0 (Anitescu), $R_t\,h\,g_t$
+            (SAP), $R_t\,g_t/b$ (MuJoCo), 1.0617e-4 m/s (Drake Similar, Lagged). Sliding: $u_n = 0$ under Coulomb, $\mu|u_t|$ under the
+            relaxation.",
         controls: &["The simulators exchanged: each measured in the place of another."],
         sources: &[
             "chapter §10, pitfall “another simulator, the same result”",
@@ -63,17 +65,17 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S10.mujoco-gliding",
-        statement: "Exercise 3, one stack of cubes: of Bullet, Drake SAP and MuJoCo, which penetrates least, which trembles most easily, \
-            which shows O(h) gliding, which has gradients?",
+        statement: r"Exercise 3, one stack of cubes: of Bullet, Drake SAP and MuJoCo, which penetrates least, which trembles most easily,
+            which shows $O(h)$ gliding, which has gradients?",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Exercise,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "Of gliding: none of them on level ground, where nothing pulls along the contacts. On a slope, or pushed, SAP \
-            creeps by O(h), MuJoCo at a speed that does not depend on h (set by impratio, solimp and solref), a scheme with hard \
+        correct_statement: r"Of gliding: none of them on level ground, where nothing pulls along the contacts. On a slope, or pushed, SAP
+            creeps by $O(h)$, MuJoCo at a speed that does not depend on $h$ (set by impratio, solimp and solref), a scheme with hard
             friction not at all.",
-        argument: "Stepped to a steady state on 20°, μ = 1/2, at h = 0.004 and 0.002 s: SAP's creep halves, MuJoCo's stays the same to \
-            rounding, the hard block does not move. On level ground the blocks of drake-sap, mujoco and anitescu stay where they are.",
+        argument: r"Stepped to a steady state on 20°, $\mu = 1/2$, at $h = 0.004$ and 0.002 s: SAP's creep halves, MuJoCo's stays the same
+            to rounding, the hard block does not move. On level ground the blocks of drake-sap, mujoco and anitescu stay where they are.",
         controls: &[
             "The slope of 20° in place of level ground.",
             "SAP and MuJoCo exchanged on the slope, MuJoCo in place of the hard block.",

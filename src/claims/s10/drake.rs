@@ -25,32 +25,35 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Cited,
-        correct_statement: "As stated where contacts slip faster than the stiction tolerance v_s. Below it friction is regularised: it \
-            lies inside the cone although the contact slips, which no complementarity allows. The step is a nonlinear equation that no \
+        correct_statement: r"As stated where contacts slip faster than the stiction tolerance $v_s$. Below it friction is regularised: it
+            lies inside the cone although the contact slips, which no complementarity allows. The step is a nonlinear equation that no
             function has as its gradient. Drake 1.51.1 has TAMSI, and announces its removal from 2026-09-01 on.",
-        argument: "A touching contact that slips, μ = 3/4: ∂r_t/∂u_n = −μ n′, ∂r_n/∂u_t = 0, so ∂r/∂u is not symmetric and r is no \
-            gradient. ‖r_t‖ = μ r_n at 8 v_s, but 0.75 μ r_n at v_s/2.",
+        argument: r"A touching contact that slips, $\mu = 3/4$: $\partial r_t/\partial u_n = -\mu\,n'$, $\partial r_n/\partial u_t = 0$,
+            so $\partial r/\partial u$ is not symmetric and $r$ is no gradient. $\|r_t\| = \mu\,r_n$ at $8\,v_s$, but $0.75\,\mu\,r_n$ at
+            $v_s/2$.",
         controls: &[
-            "A contact that slips at 8 v_s in place of v_s/2.",
-            "A contact without friction, one that slips at v_s/2 in place of 8 v_s, and kLagged asked whether it may fail.",
+            r"A contact that slips at $8\,v_s$ in place of $v_s/2$.",
+            r"A contact without friction, one that slips at $v_s/2$ in place of $8\,v_s$, and kLagged asked whether it may fail.",
         ],
         sources: &["chapter §10, table of simulators", PACKAGE],
         check: check!(tamsi),
     },
     Claim {
         id: "S10.drake-sap-row",
-        statement: "Drake SAP: semi-implicit Euler or midpoint of second order, Newton with exact line search on a convex potential, \
-            compliant Kelvin–Voigt contact with a rigid limit; globally convergent; glides by O(δt).",
+        statement: r"Drake SAP: semi-implicit Euler or midpoint of second order, Newton with exact line search on a convex potential,
+            compliant Kelvin–Voigt contact with a rigid limit; globally convergent; glides by $O(\delta t)$.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Cited,
-        correct_statement: "Kelvin–Voigt contact and its rigid limit belong to the approximation kSap, which is not the default; the \
-            default, kLagged, has Hunt–Crossley contact and does not glide. A discrete plant steps by semi-implicit Euler only: the \
-            midpoint rule is in the paper. The lift of a sliding block is (δt + τ) μ v, which vanishes with δt only where τ = 0.",
-        argument: "Stored fall at h = 1/100 s: q⁺ − q − h v⁺ = 0 to rounding. One step of our SAP on a contact 1 mm deep: r_n = h k(−φ⁺ \
-            − τ u_n⁺). With k = 1e9 and 1e10 N/m the step is the same. Sliding at 0.7 instead of 0.2 m/s: lifted by 0.00135 m for τ = \
-            0.005 s and h = 0.004 s, more than twice h μ Δv; by 0.0012 m = h μ Δv for τ = 0 at twice that step.",
+        correct_statement: r"Kelvin–Voigt contact and its rigid limit belong to the approximation kSap, which is not the default; the
+            default, kLagged, has Hunt–Crossley contact and does not glide. A discrete plant steps by semi-implicit Euler only: the
+            midpoint rule is in the paper. The lift of a sliding block is $(\delta t + \tau)\,\mu\,v$, which vanishes with $\delta t$ only
+            where $\tau = 0$.",
+        argument: r"Stored fall at $h = 1/100$ s: $q^+ - q - h\,v^+ = 0$ to rounding. One step of our SAP on a contact 1 mm deep:
+            $r_n = h\,k(-\varphi^+ - \tau\,u_n^+)$. With $k = \text{1e9}$ and 1e10 N/m the step is the same. Sliding at 0.7 instead of 0.2
+            m/s: lifted by 0.00135 m for $\tau = 0.005$ s and $h = 0.004$ s, more than twice $h\,\mu\,\Delta v$; by
+            $0.0012\,\mathrm{m} = h\,\mu\,\Delta v$ for $\tau = 0$ at twice that step.",
         controls: &[
             "kLagged's lift in place of kSap's: none.",
             "kLagged's contact, one that is not stiff, a fall that moves with the old velocity, another word, another law.",
@@ -83,9 +86,9 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "It converges globally because the objective is strongly convex with a Lipschitz gradient, and quadratically \
             once it is in the region of one mode per contact. The Hessian itself is Lipschitz there only: it jumps where a contact opens \
             or begins to slip.",
-        argument: "μ = 1/2: while a contact slips, the derivative of the projection changes by 2/5 per unit of the normal impulse. Across \
-            the boundary between stick and slip it jumps by 1 in norm, however close the two points are: the projector I − ggᵀ drops out. \
-            Newton's method from impulses of ±10³ and ±10⁶ N·s ends at the same velocity as from none.",
+        argument: r"$\mu = 1/2$: while a contact slips, the derivative of the projection changes by 2/5 per unit of the normal impulse.
+            Across the boundary between stick and slip it jumps by 1 in norm, however close the two points are: the projector $I - gg^T$
+            drops out. Newton's method from impulses of $\pm10^3$ and $\pm10^6$ N·s ends at the same velocity as from none.",
         controls: &[
             "Two points that both slip.",
             "Points across the boundary in the place of two that slip; no iteration from the impulses far off.",

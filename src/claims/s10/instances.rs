@@ -21,9 +21,10 @@ pub const CLAIMS: &[Claim] = &[Claim {
         which stands in two rows (it has two solvers). Of the use that is named, rolling contact, Anitescu's relaxation is right about \
         the end and wrong on the way: a sphere thrown along the floor rolls at 5/7 of its speed, but hops first, by a height that no \
         smaller step removes. Chrono itself was not run: its step is rebuilt here.",
-    argument: "Chrono's step, rebuilt, of a sphere with μ = 0.2 thrown at 1 m/s: it rolls at 5/7 m/s to rounding, friction keeping the \
-        angular momentum about the floor. At the first step u_n = μ|u_t| with W_tt = 7/(2m) makes it leave at w = μ v/(1 + 7/2 μ²), to \
-        w²/(2g) = 1.57e-3 m. Stewart–Trinkle's sphere ends at the same speed and stays on the floor.",
+    argument: r"Chrono's step, rebuilt, of a sphere with $\mu = 0.2$ thrown at 1 m/s: it rolls at 5/7 m/s to rounding, friction keeping
+        the angular momentum about the floor. At the first step $u_n = \mu|u_t|$ with $W_{tt} = 7/(2m)$ makes it leave at
+        $w = \mu\,v/(1 + 7/2\,\mu^2)$, to $w^2/(2g) = \text{1.57e-3}$ m. Stewart–Trinkle's sphere ends at the same speed and stays on the
+        floor.",
     controls: &[
         "Stewart–Trinkle in the place of Chrono's step.",
         "A run that ends before the sphere rolls; each package asked for what the other has.",

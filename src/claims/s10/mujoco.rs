@@ -31,17 +31,17 @@ const PATH: Claim = Claim {
 
 const ROW: Claim = Claim {
     id: "S10.mujoco-row",
-    statement: "MuJoCo: semi-implicit Euler, implicitfast, RK4; PGS, CG, Newton; a quadratic or second-order cone program; no explicit \
-        impact law; h from 1 to 10 ms; differentiable.",
+    statement: r"MuJoCo: semi-implicit Euler, implicitfast, RK4; PGS, CG, Newton; a quadratic or second-order cone program; no explicit
+        impact law; $h$ from 1 to 10 ms; differentiable.",
     verdict: ClaimVerdict::Conditional,
     kind: Kind::Assertion,
     severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Cited,
     correct_statement: "As stated, with implicit and discrete added to the integrators, and differentiable only where no contact touches \
         or lets go within the step (S6.mjx-gradients).",
-    argument: "Integrators, solvers and the default h = 2 ms are the pinned release's. A step with pyramids has one-sided rows only, a \
-        quadratic program; with elliptic cones it is a second-order cone program. A ball that falls at 1 m/s, 10⁻¹² m above and below \
-        touch: v⁺ jumps by d₀ h (g + b v) = 0.207 m/s; 1 mm deep it does not.",
+    argument: r"Integrators, solvers and the default $h = 2$ ms are the pinned release's. A step with pyramids has one-sided rows only, a
+        quadratic program; with elliptic cones it is a second-order cone program. A ball that falls at 1 m/s, $10^{-12}$ m above and below
+        touch: $v^+$ jumps by $d_0\,h\,(g + b\,v) = 0.207$ m/s; 1 mm deep it does not.",
     controls: &[
         "A ball without weight that rests at touch, where nothing jumps.",
         "The cones exchanged, other engines' integrators and solvers, timeconst in place of the step, a ball at touch in place of one 1 \

@@ -12,8 +12,8 @@ use crate::tolerance::references::SICONOS_PER_STEP;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S10.siconos-row",
-        statement: "Siconos: Moreau–Jean θ, Schatzman–Paoli, event-driven, nonsmooth generalised-α; NSGS, AC/FB/NM nonsmooth Newton, \
-            proximal, VI extragradient, interior point; Newton, Moreau and Frémond laws built in.",
+        statement: r"Siconos: Moreau–Jean $\theta$, Schatzman–Paoli, event-driven, nonsmooth generalised-α; NSGS, AC/FB/NM nonsmooth
+            Newton, proximal, VI extragradient, interior point; Newton, Moreau and Frémond laws built in.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
@@ -21,9 +21,9 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As of 4.5.0 of March 2024, which brought FremondImpactFrictionNSL. Its generalised-α, NewMarkAlphaOSI, is the \
             smooth method within the event-driven strategy, not the scheme of Chen, Acary, Virlez and Brüls. From the Python of 4.4.0 \
             neither NewMarkAlphaOSI nor SchatzmanPaoliOSI can be reached.",
-        argument: "Headers and solver identifiers of Debian's packages 4.4.0+dfsg-2; the trees of 4.4.0 and 4.5.0. A stored fall under \
-            NewMarkAlphaOSI, e = ½: the ball arrives downwards and leaves at +95.8 m/s, by the factor 1 − (1−α_m)/((1−α_f)γ) h'/h² of \
-            4.4.0's formula; under the nonsmooth scheme v⁺ = −e v⁻.",
+        argument: r"Headers and solver identifiers of Debian's packages 4.4.0+dfsg-2; the trees of 4.4.0 and 4.5.0. A stored fall under
+            NewMarkAlphaOSI, $e = \tfrac12$: the ball arrives downwards and leaves at +95.8 m/s, by the factor
+            $1 - (1 - \alpha_m)/((1 - \alpha_f)\gamma)\,h$'/$h^2$ of 4.4.0's formula; under the nonsmooth scheme $v^+ = -e\,v^-$.",
         controls: &[
             "The tree of 4.5.0 in place of that of 4.4.0.",
             "Bullet's package in the place of Siconos's, and 4.4.0 in the place of 4.5.0.",
@@ -44,8 +44,8 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::NotDecidable,
         correct_statement: "Rigour and completeness are matters of taste. What can be checked: its steps solve Coulomb's law, not the \
             convex relaxation; a sliding block does not lift off.",
-        argument: "Stored steps of a block that slides under Siconos's Moreau–Jean, e = 1/2: u_n⁺ + e u_n = 0 and r_t = −μ r_n to rounding \
-            while u_t⁺ is above the 0.3 m/s of the start. The relaxation would have u_n⁺ + e u_n = μ u_t⁺.",
+        argument: r"Stored steps of a block that slides under Siconos's Moreau–Jean, $e = 1/2$: $u_n^+ + e\,u_n = 0$ and $r_t = -\mu\,r_n$
+            to rounding while $u_t^+$ is above the 0.3 m/s of the start. The relaxation would have $u_n^+ + e\,u_n = \mu\,u_t^+$.",
         controls: &["The same steps made again under the relaxed law.", "A block that sticks."],
         sources: &["chapter §10, three schools"],
         check: check!(school),

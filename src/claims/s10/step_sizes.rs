@@ -13,9 +13,9 @@ pub const CLAIMS: &[Claim] = &[Claim {
     kind: Kind::Assertion,
     severity: None,
     evidence: Evidence::NotDecidable,
-    correct_statement: "What is typical is usage and not decidable. The defaults that can be read are MuJoCo 2e-3, Drake's plant 1e-3, \
-        Bullet's stepping 1/60 (PyBullet 1/240), all within. One end of a range means something in the code: beyond 1e-2 s MuJoCo's \
-        default contact, timeconst 0.02 s, is no longer the one that was asked for, because refsafe stretches timeconst to 2h.",
+    correct_statement: r"What is typical is usage and not decidable. The defaults that can be read are MuJoCo 2e-3, Drake's plant 1e-3,
+        Bullet's stepping 1/60 (PyBullet 1/240), all within. One end of a range means something in the code: beyond 1e-2 s MuJoCo's
+        default contact, timeconst 0.02 s, is no longer the one that was asked for, because refsafe stretches timeconst to $2h$.",
     argument: "Stored runs of MuJoCo 3.17.0, block that Coulomb holds, creep: the same at 1000 and at 240 steps per second, more than \
         1.5 times as much at 60.",
     controls: &[

@@ -32,10 +32,10 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "NSC is Anitescu's step, with a maximal recovery speed for penetrations and with rebounds, and the four \
             algorithms solve its convex problem. HHT integrates smooth forces: it belongs to Chrono's other system, of penalty contacts \
             (SMC). Chrono itself was not run: its step and its algorithms are rebuilt here from their sources.",
-        argument: "Each of the four, programmed from its equations, gives the velocities of Clarabel's interior point on the step of a \
-            sliding block, and the gap μ h v_t of the relaxation, at every step length. Chrono's step is Anitescu's there, but a body \
-            0.1 m deep comes out at 0.6 m/s, not at the speed that undoes the depth in one step. `ChSolver::Type` names PSOR, \
-            BARZILAIBORWEIN, APGD, ADMM, each with its source; a contact's constraint is loaded by `ChContactNSC`, which HHT does not \
+        argument: r"Each of the four, programmed from its equations, gives the velocities of Clarabel's interior point on the step of a
+            sliding block, and the gap $\mu\,h\,v_t$ of the relaxation, at every step length. Chrono's step is Anitescu's there, but a
+            body 0.1 m deep comes out at 0.6 m/s, not at the speed that undoes the depth in one step. `ChSolver::Type` names PSOR,
+            BARZILAIBORWEIN, APGD, ADMM, each with its source; a contact's constraint is loaded by `ChContactNSC`, which HHT does not
             solve as an inequality.",
         controls: &[
             "A body 5 mm deep, which needs less than 0.6 m/s.",
@@ -57,35 +57,35 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Of the package Chrono: its module Chrono::DEM runs on GPUs, but with penalty contacts (SMC), not with NSC; \
             the NSC of Chrono::Multicore is parallel on processors. No run of a million bodies was made or checked here; memory does not \
             forbid it.",
-        argument: "At the commit named below the sources for GPUs (.cu) of contacts are all below src/chrono_dem/, and none is below \
-            src/chrono/ or src/chrono_multicore/. A million bodies with three contacts each, as H and W of a stack of boxes have them: \
+        argument: r"At the commit named below the sources for GPUs (.cu) of contacts are all below src/chrono_dem/, and none is below
+            src/chrono/ or src/chrono_multicore/. A million bodies with three contacts each, as $H$ and $W$ of a stack of boxes have them:
             0.432 and 2.592 GB without zeros. With all zeros both would be out of reach.",
-        controls: &["The folder of Chrono::DEM in place of those with NSC.", "H and W with all their zeros; sources in OpenCL."],
+        controls: &["The folder of Chrono::DEM in place of those with NSC.", r"$H$ and $W$ with all their zeros; sources in OpenCL."],
         sources: &["chapter §10, table of simulators", "Project Chrono, commit 7689fbc, and the documentation of Chrono::DEM in it"],
         check: check!(granular),
     },
     Claim {
         id: "S10.bullet-row",
-        statement: "Bullet: semi-implicit Euler with sequential impulses (projected Gauss–Seidel), MLCP by Lemke or Dantzig; Newton's e \
-            through a bias velocity, Baumgarte's ERP; h from 1 ms to 1/60 s.",
+        statement: r"Bullet: semi-implicit Euler with sequential impulses (projected Gauss–Seidel), MLCP by Lemke or Dantzig; Newton's $e$
+            through a bias velocity, Baumgarte's $\mathrm{ERP}$; $h$ from 1 ms to 1/60 s.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Cited,
-        correct_statement: "As stated. The bias is e|u_n| + ERP d/h for a depth d, and e|u_n| − d/h for a gap d, u_n after gravity \
-            (multibodies) or before (rigid bodies): a rebound equals e only up to these terms. ERP of contacts is 0.2 in Bullet and 0.08 \
-            in PyBullet.",
-        argument: "Stored motions of PyBullet 3.2.7: the first rebound of a ball equals e(|v| + g h) + ERP d/h, and a ball 1 cm deep \
-            rises so that its depth shrinks by 0.92 in every step, each to rounding; the scheme `bullet` makes the stored samples again \
-            (tests/systems.rs). The source names the solvers and 1/60 s.",
-        controls: &["ERP 0.2, Bullet's own default, in the same formulas; Pinocchio's package in the place of Bullet's."],
+        correct_statement: r"As stated. The bias is $e|u_n| + \mathrm{ERP}\,d/h$ for a depth $d$, and $e|u_n| - d/h$ for a gap $d$, $u_n$
+            after gravity (multibodies) or before (rigid bodies): a rebound equals $e$ only up to these terms. $\mathrm{ERP}$ of contacts
+            is 0.2 in Bullet and 0.08 in PyBullet.",
+        argument: r"Stored motions of PyBullet 3.2.7: the first rebound of a ball equals $e(|v| + g\,h) + \mathrm{ERP}\,d/h$, and a ball 1
+            cm deep rises so that its depth shrinks by 0.92 in every step, each to rounding; the scheme `bullet` makes the stored samples
+            again (tests/systems.rs). The source names the solvers and 1/60 s.",
+        controls: &[r"$\mathrm{ERP}$ 0.2, Bullet's own default, in the same formulas; Pinocchio's package in the place of Bullet's."],
         sources: &["chapter §10, table of simulators", "PyBullet 3.2.7, source distribution", "references/bullet"],
         check: check!(bullet_row),
     },
     Claim {
         id: "S10.pinocchio-row",
-        statement: "Pinocchio 3 / Simple: an NCP or SOCCP per step, rigid and compliant alike, by ADMM with automatic ρ and a proximal \
-            term, PGS, or as CCP.",
+        statement: r"Pinocchio 3 / Simple: an NCP or SOCCP per step, rigid and compliant alike, by ADMM with automatic $\rho$ and a
+            proximal term, PGS, or as CCP.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
@@ -93,12 +93,13 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "All but the CCP in release 3: its ADMM (v3.7.0) always solves Coulomb's law. In 4.1.0 Coulomb's law is the \
             default and the convex problem a switch of ADMM (`solve_ncp` = false), which PGS does not heed. And Pinocchio is no \
             simulator: a step, its contacts and their stabilisation come from elsewhere (Simple was not looked at).",
-        argument: "Stored answers of 4.1.0 for a sliding box, hard and with compliance, under Coulomb's law and relaxed: our ADMM, with \
-            ρ found by itself and the proximal term, finds the same velocities to 1e-7 m/s or better, and the certificate accepts them. \
-            ADMM of v3.7.0 takes a proximal term, a power of ρ and a compliance, and nothing that switches the law.",
+        argument: r"Stored answers of 4.1.0 for a sliding box, hard and with compliance, under Coulomb's law and relaxed: our ADMM, with
+            $\rho$ found by itself and the proximal term, finds the same velocities to 1e-7 m/s or better, and the certificate accepts
+            them. ADMM of v3.7.0 takes a proximal term, a power of $\rho$ and a compliance, and nothing that switches the law.",
         controls: &[
             "Release 4.1.0 in place of 3.7.0, asked for the switch.",
-            "The other law in each problem; 4.1.0's name of the rule of ρ asked of 3.7.0; Bullet's package in the place of Pinocchio's.",
+            r"The other law in each problem; 4.1.0's name of the rule of $\rho$ asked of 3.7.0; Bullet's package in the place of
+                Pinocchio's.",
         ],
         sources: &[
             "chapter §10, table of simulators",
@@ -116,8 +117,8 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Cited,
         correct_statement: "Of SAP it holds. Pinocchio's ADMM solves Coulomb's law unless told otherwise, as the chapter's own table says \
             (NCP); with `solve_ncp` = false it solves the relaxation.",
-        argument: "A box that slides on four corners: by default the loaded corners stay on the ground, u_n = 0; relaxed they leave it \
-            with u_n = μ‖u_t‖. Both answers are stored and certified.",
+        argument: r"A box that slides on four corners: by default the loaded corners stay on the ground, $u_n = 0$; relaxed they leave it
+            with $u_n = \mu\|u_t\|$. Both answers are stored and certified.",
         controls: &[
             "A box that sticks, of which both laws say that it stays on the ground.",
             "The default answer and the relaxed one exchanged; another setting.",

@@ -20,12 +20,13 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "With a pointed friction cone (no impulses that cancel) and starts that do not penetrate. Copositive-plus \
             yields a solution, not a bound on it; and the Stewart–Trinkle matrix has it only without friction (S4.copos-plus).",
-        argument: "A mass between opposite walls, H = (1, −1)ᵀ, both touching: W = (1, −1; −1, 1) is copositive-plus, exactly, and P = (c, \
-            c) solves 0 ≤ P ⟂ W P ≥ 0 for c = 1, 10³, 10⁶. One wall, plastic, h = 2⁻⁴ … 2⁻⁸: the variation is 1 at every h.",
+        argument: r"A mass between opposite walls, $H = (1, -1)^T$, both touching: $W = (1, -1; -1, 1)$ is copositive-plus, exactly, and
+            $P = (c, c)$ solves $0 \le P \perp W\,P \ge 0$ for $c = 1$, $10^3$, $10^6$. One wall, plastic, $h = 2^{-4}$ … $2^{-8}$: the
+            variation is 1 at every $h$.",
         controls: &[
             "Walls at right angles, whose cone is pointed.",
-            "The Stewart–Trinkle matrix of a contact with friction, μ = 1/2, in place of W.",
-            "Moreau–Jean with e = 1/2 in place of the plastic step.",
+            r"The Stewart–Trinkle matrix of a contact with friction, $\mu = 1/2$, in place of $W$.",
+            r"Moreau–Jean with $e = 1/2$ in place of the plastic step.",
         ],
         sources: &["chapter §11, step 1", "Stewart 1998 (not read)"],
         check: check!(bounded_variation),
@@ -38,10 +39,10 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "If Hᵀ P = 0 with P in the cone implies P = 0. Otherwise impulses that cancel each other do no work, and energy \
-            says nothing of them.",
-        argument: "Opposite walls: P = (c, c) leaves a resting mass at rest, kinetic energy 0 for c = 1, 10³, 10⁶. A wedge with normals \
-            (±3/5, 4/5): P₁ + P₂ ≤ (5/4)‖HᵀP‖, since both normals have the component 4/5 along (0, 1).",
+        correct_statement: r"If $H^T\,P = 0$ with $P$ in the cone implies $P = 0$. Otherwise impulses that cancel each other do no work,
+            and energy says nothing of them.",
+        argument: r"Opposite walls: $P = (c, c)$ leaves a resting mass at rest, kinetic energy 0 for $c = 1$, $10^3$, $10^6$. A wedge with
+            normals $(\pm3/5, 4/5)$: $P_1 + P_2 \le (5/4)\|H^TP\|$, since both normals have the component 4/5 along $(0, 1)$.",
         controls: &["Walls at right angles.", "Opposite walls in place of the wedge."],
         sources: &["chapter §11, step 1, intuition"],
         check: check!(energy_and_impulse),
@@ -56,9 +57,9 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "As stated; a standard theorem, not proved here. That its hypothesis on the variation is needed, and that the \
             velocities of a scheme satisfy it, is checked.",
-        argument: "Stewart–Trinkle on a wall: variation 1 for h = 2⁻⁴ … 2⁻⁸, and those of 2⁻⁷ and 2⁻⁸ differ on the step of the impact \
-            alone, 2 cells of 256. The signs of sin 2πnt, n = 2, 4, 8 …, are bounded, jump 2n − 1 times, and any two of them differ on \
-            half of the interval, 128 cells: no subsequence converges.",
+        argument: r"Stewart–Trinkle on a wall: variation 1 for $h = 2^{-4}$ … $2^{-8}$, and those of $2^{-7}$ and $2^{-8}$ differ on the
+            step of the impact alone, 2 cells of 256. The signs of sin 2πnt, $n = 2$, 4, 8 …, are bounded, jump $2n - 1$ times, and any
+            two of them differ on half of the interval, 128 cells: no subsequence converges.",
         controls: &["Those signs in place of the velocities."],
         sources: &["chapter §11, step 2", "Helly's selection theorem, in textbooks of real analysis"],
         check: check!(helly),
@@ -71,9 +72,10 @@ pub const CLAIMS: &[Claim] = &[
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated. A subsequence is meant: at the time of an impact the whole sequence need not converge.",
-        argument: "Stewart–Trinkle on a wall that is hit at ⅓ s: ∫|v_h − v| = 4h/9, which bounds the error of the position. v_h = −1 and 0 \
-            at 1/4 s and 1/2 s, but v_h(⅓) = −⅓ for h = 2⁻ᵏ with even k and −⅔ with odd k: two values in the whole sequence.",
-        controls: &["The whole sequence, h = 2⁻⁴, 2⁻⁵, 2⁻⁶ …", "Moreau–Jean with e = 1/2, which has another limit."],
+        argument: r"Stewart–Trinkle on a wall that is hit at ⅓ s: $\int|v_h - v| = 4h/9$, which bounds the error of the position.
+            $v_h = -1$ and 0 at 1/4 s and 1/2 s, but $v_h(\tfrac13) = -\tfrac13$ for $h = 2^{-k}$ with even $k$ and −⅔ with odd $k$: two
+            values in the whole sequence.",
+        controls: &[r"The whole sequence, $h = 2^{-4}$, $2^{-5}$, $2^{-6}$ …", r"Moreau–Jean with $e = 1/2$, which has another limit."],
         sources: &["chapter §11, step 2"],
         check: check!(subsequence),
     },
@@ -84,10 +86,10 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated; C([0, T]) is separable. Weakly*, and in no stronger sense: not in mass.",
-        argument: "The same wall: P_h has mass 1 in two steps next to ⅓ s, ∫g dP_h → g(⅓) for g = t, t², |t − ½| with errors of at most 2h \
-            times the slope; the mass of P_h − δ_⅓ is 2 at every h.",
-        controls: &["The impulses of Moreau–Jean with e = 1/2, which tend to another measure."],
+        correct_statement: r"As stated; $C([0, T])$ is separable. Weakly*, and in no stronger sense: not in mass.",
+        argument: r"The same wall: $P_h$ has mass 1 in two steps next to ⅓ s, $\int g\,dP_h \to g(\tfrac13)$ for $g = t$, $t^2$,
+            $|t - \tfrac12|$ with errors of at most $2h$ times the slope; the mass of $P_h - \delta_{\tfrac13}$ is 2 at every $h$.",
+        controls: &[r"The impulses of Moreau–Jean with $e = 1/2$, which tend to another measure."],
         sources: &["chapter §11, step 3"],
         check: check!(weak_star),
     },
@@ -98,8 +100,9 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: (1 + e) m |v| in every window around the impact, however narrow.",
-        argument: "Moreau–Jean on the wall, e = ½: the impulse within 2h of ⅓ s is 3/2 N s for h = 2⁻⁴ … 2⁻⁸, that within 2h of ¾ s is 0.",
+        correct_statement: r"As stated: $(1 + e)\,m\,|v|$ in every window around the impact, however narrow.",
+        argument: r"Moreau–Jean on the wall, $e = \tfrac12$: the impulse within $2h$ of ⅓ s is 3/2 N s for $h = 2^{-4}$ … $2^{-8}$,
+            that within $2h$ of ¾ s is 0.",
         controls: &["The two windows exchanged."],
         sources: &["chapter §11, step 3"],
         check: check!(atom),
@@ -112,13 +115,15 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::WrongReason),
         evidence: Evidence::Exact,
-        correct_statement: "The conclusion is the theorem's; the closed graph alone does not give it. v_h converges pointwise and P_h \
-            weakly*, and ∫v_h dP_h need not converge to ∫v dP: a further argument is needed where both jump, such as the energy balance.",
-        argument: "v_h = 1 from ½ on, P_h = δ at ½ − h: ∫v_h dP_h = 0 at every h, ∫v dP = 1. Stewart–Trinkle's own steps on the wall: Σ \
-            v⁺P = −2/9 at every h, although v⁺ = 0 in the limit and P = δ_⅓; while Σ ½(v + v⁺)P = −½ at every h, as in the limit.",
+        correct_statement: r"The conclusion is the theorem's; the closed graph alone does not give it. $v_h$ converges pointwise and $P_h$
+            weakly*, and $\int v_h\,dP_h$ need not converge to $\int v\,dP$: a further argument is needed where both jump, such as the
+            energy balance.",
+        argument: r"$v_h = 1$ from ½ on, $P_h = \delta$ at $\tfrac12 - h$: $\int v_h\,dP_h = 0$ at every $h$, $\int v\,dP = 1$.
+            Stewart–Trinkle's own steps on the wall: $\sum\,v^+P = -2/9$ at every $h$, although $v^+ = 0$ in the limit and
+            $P = \delta_{\tfrac13}$; while $\sum\,\tfrac12(v + v^+)P = -\tfrac12$ at every $h$, as in the limit.",
         controls: &[
-            "Moreau–Jean's plastic steps, and jumps at one instant: Σ v⁺P is that of the limit.",
-            "Moreau–Jean's steps with e = 1/2, which lose another energy.",
+            r"Moreau–Jean's plastic steps, and jumps at one instant: $\sum\,v^+P$ is that of the limit.",
+            r"Moreau–Jean's steps with $e = 1/2$, which lose another energy.",
         ],
         sources: &["chapter §11, step 4"],
         check: check!(passage),
@@ -133,24 +138,24 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::NotDecidable,
         correct_statement: "A plan, not a theorem. Steps 1 to 3 can succeed with a limit that is no solution: step 4 has to be proved for \
             each scheme.",
-        argument: "Stewart–Trinkle's constraint with the trapezoidal position update: variation of at most 2, a plastic body that rebounds \
-            at 2/5 of its speed for h = 1/100 and 1/1000. Its limit exists and violates the impact law.",
+        argument: r"Stewart–Trinkle's constraint with the trapezoidal position update: variation of at most 2, a plastic body that
+            rebounds at 2/5 of its speed for $h = 1/100$ and 1/1000. Its limit exists and violates the impact law.",
         controls: &["Stewart–Trinkle's own position update, whose plastic body stays at the wall."],
         sources: &["chapter §11, essential insight after step 4", "S4.nonpen"],
         check: check!(template),
     },
     Claim {
         id: "S11.ex1",
-        statement: "Exercise: for a mass that hits a wall the energy estimate bounds the variation of v_h uniformly.",
+        statement: r"Exercise: for a mass that hits a wall the energy estimate bounds the variation of $v_h$ uniformly.",
         verdict: ClaimVerdict::True,
         kind: Kind::Exercise,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated: impulses push one way only, so Σ P/m = v_N − v_0 + g T and the variation is at most 2 g T + v_N − \
-            v_0 ≤ 2 g T + √(2 g q₀) + g h for a drop from q₀ with e ≤ 1.",
-        argument: "Moreau–Jean, θ = ½, e = ½, q₀ = 1/8 m, g = 10 m/s², T = 2 s, h = 2⁻⁴ … 2⁻¹²: no speed above √(2 g q₀) + g h, no \
-            variation above the bound.",
-        controls: &["e = 4, an impact that injects energy."],
+        correct_statement: r"As stated: impulses push one way only, so $\sum\,P/m = v_N - v_0 + g\,T$ and the variation is at most
+            $2\,g\,T + v_N - v_0 \le 2\,g\,T + \sqrt{2\,g\,q_0} + g\,h$ for a drop from $q_0$ with $e \le 1$.",
+        argument: r"Moreau–Jean, $\theta = \tfrac12$, $e = \tfrac12$, $q_0 = 1/8$ m, $g = 10$ m/s², $T = 2$ s, $h = 2^{-4}$ … $2^{-12}$:
+            no speed above $\sqrt{2\,g\,q_0} + g\,h$, no variation above the bound.",
+        controls: &[r"$e = 4$, an impact that injects energy."],
         sources: &["chapter §11, exercise 1"],
         check: check!(exercise),
     },

@@ -17,12 +17,13 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Measured,
-        correct_statement: "As stated, seen on a bar that hits a wall. The solution is of another kind (a finite force ρcAV over 2L/c, e = \
-            1, no atom), refining the mesh changes the finite-dimensional problem, and what is proved for each mesh says nothing of the \
-            limit of the force.",
-        argument: "Mesh of 20 to 80 elements, h = Δ/(2c), plastic law at the node. Midpoint: the energy lost vanishes with Δ, where a \
-            rigid body loses all; its force is off by 0.88 of the true impulse at every N. Average acceleration multiplies the energy by \
-            more than 2. With the end's mass redistributed the force converges, and the energy gained is below (3/80)² of it.",
+        correct_statement: r"As stated, seen on a bar that hits a wall. The solution is of another kind (a finite force $\rho cAV$ over
+            $2L/c$, $e = 1$, no atom), refining the mesh changes the finite-dimensional problem, and what is proved for each mesh says
+            nothing of the limit of the force.",
+        argument: r"Mesh of 20 to 80 elements, $h = \Delta/(2c)$, plastic law at the node. Midpoint: the energy lost vanishes with
+            $\Delta$, where a rigid body loses all; its force is off by 0.88 of the true impulse at every $N$. Average acceleration
+            multiplies the energy by more than 2. With the end's mass redistributed the force converges, and the energy gained is below
+            $(3/80)^2$ of it.",
         controls: &[
             "A bar of two elements, which is nearly a rigid body.",
             "The end's mass not redistributed where it was, and average acceleration with redistributed mass everywhere else.",
@@ -45,8 +46,8 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::NotDecidable,
         correct_statement: "Citations; the papers were not read. What the first two names stand for is \
             checked: the persistency condition keeps the energy, at the price of a penetration of a step and of a force that oscillates.",
-        argument: "Midpoint with 0 ≤ λ ⟂ u⁺ − u ≥ 0 once closed: ΔE = λ(u⁺ − u) = 0 in every step, to rounding, at N = 20, 40, 80. Without \
-            it ΔE ≤ 0 in every step.",
+        argument: r"Midpoint with $0 \le \lambda \perp u^+ - u \ge 0$ once closed: $\Delta E = \lambda(u^+ - u) = 0$ in every step, to
+            rounding, at $N = 20$, 40, 80. Without it $\Delta E \le 0$ in every step.",
         controls: &["Average acceleration in place of the persistency condition and of the midpoint rule."],
         sources: &[
             "chapter §11, infinite-dimensional extension",

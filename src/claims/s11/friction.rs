@@ -15,13 +15,13 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "Existence is; uniqueness is not. Where no sliding force exists the step has one answer, an impulse that stays \
-            finite as h → 0. Where two exist it has three, of which the construction takes one.",
-        argument: "The rod of S4.painleve-atom, μ = 2: for b = −5 m/s² no sliding force and one answer, P_n = 9/25 + (73/20) h; for b = +5 \
-            m/s² three answers, at h = 10⁻³, 10⁻⁴ and 10⁻⁵, in rationals.",
+        correct_statement: r"Existence is; uniqueness is not. Where no sliding force exists the step has one answer, an impulse that stays
+            finite as $h \to 0$. Where two exist it has three, of which the construction takes one.",
+        argument: r"The rod of S4.painleve-atom, $\mu = 2$: for $b = -5$ m/s² no sliding force and one answer, $P_n = 9/25 + (73/20)\,h$;
+            for $b = +5$ m/s² three answers, at $h = 10^{-3}$, $10^{-4}$ and $10^{-5}$, in rationals.",
         controls: &[
-            "μ = 1, below μ_P = 13/9: one answer each, without an impulse that stays.",
-            "b = +5 m/s² in place of −5 m/s², where the end is being lifted.",
+            r"$\mu = 1$, below $\mu_P = 13/9$: one answer each, without an impulse that stays.",
+            r"$b = +5$ m/s² in place of −5 m/s², where the end is being lifted.",
         ],
         sources: &["chapter §11, Painlevé as a by-product", "Stewart 1998 (not read)"],
         check: check!(painleve),
@@ -34,17 +34,21 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "Painlevé's paradox needs friction, μ > μ_P > 0, and so does the Stewart–Trinkle scheme whose limit the proof \
-            takes. A proof that resolves it is one with friction.",
-        argument: "The rod at b = −1: with μ = 0, 1 and 13/9 − 1/100 there is one sliding force, with 13/9 + 1/100 and 2 there is none.",
-        controls: &["A by-product at μ = 1/10, where there is no paradox to resolve.", "b = +1 in place of −1: no force is needed."],
+        correct_statement: r"Painlevé's paradox needs friction, $\mu > \mu_P > 0$, and so does the Stewart–Trinkle scheme whose limit the
+            proof takes. A proof that resolves it is one with friction.",
+        argument: r"The rod at $b = -1$: with $\mu = 0$, 1 and 13/9 − 1/100 there is one sliding force, with $13/9 + 1/100$ and 2 there is
+            none.",
+        controls: &[
+            r"A by-product at $\mu = 1/10$, where there is no paradox to resolve.",
+            r"$b = +1$ in place of −1: no force is needed.",
+        ],
         sources: &["chapter §11, four steps; Painlevé as a by-product; convergence with friction"],
         check: check!(needs_friction),
     },
     Claim {
         id: "S11.dmm",
-        statement: "Dzonou and Monteiro Marques (Nonlinear Anal. TMA 2007), by de Saxcé's bipotential: for sufficiently small μ and \
-            Lipschitz M a subsequence of Moreau–Jean's solutions with Coulomb friction converges; the first rigorous result that \
+        statement: r"Dzonou and Monteiro Marques (Nonlinear Anal. TMA 2007), by de Saxcé's bipotential: for sufficiently small $\mu$ and
+            Lipschitz $M$ a subsequence of Moreau–Jean's solutions with Coulomb friction converges; the first rigorous result that
             time-stepping with friction converges.",
         verdict: ClaimVerdict::False,
         kind: Kind::Citation,
@@ -53,9 +57,9 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Not the first: by the chapter's own account Stewart's proof of 1998 has friction, enough of it for Painlevé, \
             and Monteiro Marques's book of 1993 has “Shocks and Dry Friction” in its title. No such paper of 2007 was found; what was \
             found of these authors (2007, 2009) is about one constraint without friction, in its abstract.",
-        argument: "The rod is without a sliding force at μ = 2, and not at 1/10, exactly. A proof that covers the rod at μ = 2 is one with \
-            friction, and by the chapter's account there was one in 1998; a result for small μ does not reach so far.",
-        controls: &["Painlevé's rod at μ = 1/10, which has no paradox for the proof of 1998 to resolve."],
+        argument: r"The rod is without a sliding force at $\mu = 2$, and not at 1/10, exactly. A proof that covers the rod at $\mu = 2$ is
+            one with friction, and by the chapter's account there was one in 1998; a result for small $\mu$ does not reach so far.",
+        controls: &[r"Painlevé's rod at $\mu = 1/10$, which has no paradox for the proof of 1998 to resolve."],
         sources: &[
             "chapter §11, convergence with friction",
             "Monteiro Marques, Differential Inclusions in Nonsmooth Mechanical Problems: Shocks and Dry Friction (1993), for title and \
@@ -75,10 +79,11 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As a set-valued law Coulomb's has a closed graph, which is what step 4 uses; only the single-valued sign jumps \
             (and the set is not lower semicontinuous). What friction takes away is monotonicity: the law is not the normal-cone relation \
             of a fixed set.",
-        argument: "Slips (3, 4)/5·10⁻ᵏ with r = (1, −(3, 4)μ/5): all in the law, and so is the limit, slip 0 with the same r. Two states \
-            of sliding with r = (1, −μ), slip 2, and (10, −10μ), slip 1: ⟨Δu, Δr⟩ = +9μ, where a monotone law has ≤ 0. Lifted by u_n = \
-            μ|u_t|, as in the associated law: 0.",
-        controls: &["The single-valued law, r_t = 0 at slip 0.", "Friction along the slip in place of against it."],
+        argument: r"Slips $(3, 4)/5\cdot10^{-k}$ with $r = (1, -(3, 4)\mu/5)$: all in the law, and so is the limit, slip 0 with the same
+            $r$. Two states of sliding with $r = (1, -\mu)$, slip 2, and $(10, -10\mu)$, slip 1:
+            $\langle \Delta u, \Delta r\rangle = +9\mu$, where a monotone law has $\le 0$. Lifted by $u_n = \mu|u_t|$, as in the
+            associated law: 0.",
+        controls: &[r"The single-valued law, $r_t = 0$ at slip 0.", "Friction along the slip in place of against it."],
         sources: &["chapter §11, convergence with friction; exercise 2"],
         check: check!(closed_graph),
     },
@@ -91,11 +96,11 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Cited,
         correct_statement: "Ten years, if counted from the proof of 1998, taken to be without friction, to 2007. Counted from the scheme \
             to the proof that covers Painlevé's configurations, and so friction, it took two.",
-        argument: "The scheme: 1996, from the SICI of its paper. The proof that resolves the paradox, which exists above μ_P = 13/9 \
+        argument: r"The scheme: 1996, from the SICI of its paper. The proof that resolves the paradox, which exists above $\mu_P = 13/9$
             only: 1998, two years later. From there to 2007: nine, ten to the nearest ten.",
         controls: &[
-            "A rod at μ = 1/10 in place of that at μ = 2: it has no paradox, and the proof of 1998 need not cover it.",
-            "A rod at μ = 2 in place of that at μ = 1/10: the first proof that covers it is that of 1998.",
+            r"A rod at $\mu = 1/10$ in place of that at $\mu = 2$: it has no paradox, and the proof of 1998 need not cover it.",
+            r"A rod at $\mu = 2$ in place of that at $\mu = 1/10$: the first proof that covers it is that of 1998.",
         ],
         sources: &["chapter §11, pitfalls", "S11.friction-split", "S4.cites", "references/facts/literature.json, for the years"],
         check: check!(years),

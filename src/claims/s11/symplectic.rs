@@ -20,11 +20,12 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: v ↦ v − M⁻¹n (nᵀM⁻¹n)⁻¹ nᵀv has the eigenvalue 0, and DᵀJD = J gives (det D)² = 1.",
-        argument: "Two coupled masses, M = (2, 1; 1, 3), n = (0, 1), in rationals: det D = 0, and DᵀJD ≠ J. In one dimension D = diag(1, \
-            0).",
+        correct_statement: r"As stated: $v \mapsto v - M^{-1}n\,(n^TM^{-1}n)^{-1}\,n^Tv$ has the eigenvalue 0, and $D^TJD = J$ gives
+            $(\det D)^2 = 1$.",
+        argument: r"Two coupled masses, $M = (2, 1; 1, 3)$, $n = (0, 1)$, in rationals: $\det D = 0$, and $D^TJD \ne J$. In one dimension
+            $D = \operatorname{diag}(1, 0)$.",
         controls: &[
-            "The reflection v ↦ v − 2M⁻¹n (nᵀM⁻¹n)⁻¹ nᵀv.",
+            r"The reflection $v \mapsto v - 2M^{-1}n\,(n^TM^{-1}n)^{-1}\,n^Tv$.",
             "A velocity that already points away from the wall, which the projection leaves alone.",
         ],
         sources: &["chapter §11, symplectic incompatibility"],
@@ -38,45 +39,45 @@ pub const CLAIMS: &[Claim] = &[
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated, where it acts on an open set of states: one that is put back on the wall has lost the depth it had.",
-        argument: "A semi-implicit step of two coupled masses in a cubic potential, put back on the wall where it ends below: det D = 0 \
-            exactly.",
+        argument: r"A semi-implicit step of two coupled masses in a cubic potential, put back on the wall where it ends below:
+            $\det D = 0$ exactly.",
         controls: &["The mirror image in the wall in place of the projection: a correction that projects nothing."],
         sources: &["chapter §11, symplectic incompatibility"],
         check: check!(position_projection),
     },
     Claim {
         id: "S11.reflection-symplectic",
-        statement: "The exception: for e = 1 without correction the collision is a reflection v → −v, which keeps the energy and is \
+        statement: r"The exception: for $e = 1$ without correction the collision is a reflection $v \to -v$, which keeps the energy and is
             symplectic.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "The flow across the collision is. The reflection by itself, (q, v) ↦ (q, −v) at fixed q, keeps the energy too, \
-            with determinant −1 and DᵀJD = −J: it reverses the form. That the time of the impact moves with the start makes the \
-            difference.",
-        argument: "Ball on a floor, e = 1, in rationals: the flow from before to after the impact has det D = 1 and DᵀJD = J; the \
-            reflection det D = −1 and DᵀJD = −J.",
-        controls: &["The flow in the place of the reflection.", "e = 4/5 in the flow."],
+        correct_statement: r"The flow across the collision is. The reflection by itself, $(q, v) \mapsto (q, -v)$ at fixed $q$, keeps the
+            energy too, with determinant −1 and $D^TJD = -J$: it reverses the form. That the time of the impact moves with the start makes
+            the difference.",
+        argument: r"Ball on a floor, $e = 1$, in rationals: the flow from before to after the impact has $\det D = 1$ and $D^TJD = J$; the
+            reflection $\det D = -1$ and $D^TJD = -J$.",
+        controls: &["The flow in the place of the reflection.", r"$e = 4/5$ in the flow."],
         sources: &["chapter §11, symplectic incompatibility; exercise 3(d)"],
         check: check!(reflection),
     },
     Claim {
         id: "S11.no-symplectic-contact",
-        statement: "Projection loses information and the symplectic form cannot: so no improved symplectic contact integrator can \
-            succeed completely; the obstacle is geometric, not technical. (Excepted is e = 1 without correction.)",
+        statement: r"Projection loses information and the symplectic form cannot: so no improved symplectic contact integrator can succeed
+            completely; the obstacle is geometric, not technical. (Excepted is $e = 1$ without correction.)",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, “completely” meaning for every e: for e < 1 the motion itself does not keep the form, so no \
-            method should, and no projection can. For e = 1 such integrators exist; that a correction of the penetration rules them \
-            out is charged elsewhere (S8.kmow, S8.cirak-west, S11.explicit-or-implicit).",
-        argument: "The exact flow across an impact with e = 4/5 has det D = 16/25, and a step put back on the wall is singular. For e = 1, \
-            the case excepted, a variational step with an impact in it, two coordinates, cubic potential, curved wall: DᵀJD − J = 0 in \
-            rationals.",
+        correct_statement: r"As stated, “completely” meaning for every $e$: for $e < 1$ the motion itself does not keep the form, so no
+            method should, and no projection can. For $e = 1$ such integrators exist; that a correction of the penetration rules them out
+            is charged elsewhere (S8.kmow, S8.cirak-west, S11.explicit-or-implicit).",
+        argument: r"The exact flow across an impact with $e = 4/5$ has $\det D = 16/25$, and a step put back on the wall is singular. For
+            $e = 1$, the case excepted, a variational step with an impact in it, two coordinates, cubic potential, curved wall:
+            $D^TJD - J = 0$ in rationals.",
         controls: &[
-            "e = 1 in the flow, and a mirrored step in place of the one that is put back on the wall.",
+            r"$e = 1$ in the flow, and a mirrored step in place of the one that is put back on the wall.",
             "The variational step with its velocity at the end cut to 4/5.",
         ],
         sources: &["chapter §11, essential insight on symplecticity", "S8.kmow", "S8.cirak-west"],
@@ -84,17 +85,17 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S11.explicit-or-implicit",
-        statement: "Every operation that corrects penetration destroys symplecticity, whether explicit or implicit. (What is excepted is \
-            e = 1 without such a correction.)",
+        statement: r"Every operation that corrects penetration destroys symplecticity, whether explicit or implicit. (What is excepted is
+            $e = 1$ without such a correction.)",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "Of a projection that is so, whatever method made the step. A mirror image leaves it to the method: symplectic \
             after a symplectic step, not after another.",
-        argument: "A spring stepped by explicit Euler, semi-implicit Euler, the midpoint rule and implicit Euler, h ω = 1/4, then \
-            projected: det D = 0 for all four. Mirrored: det D = 1 after semi-implicit Euler and the midpoint rule, not after the other \
-            two.",
+        argument: r"A spring stepped by explicit Euler, semi-implicit Euler, the midpoint rule and implicit Euler, $h\,\omega = 1/4$, then
+            projected: $\det D = 0$ for all four. Mirrored: $\det D = 1$ after semi-implicit Euler and the midpoint rule, not after the
+            other two.",
         controls: &[
             "A correction that puts the state on the wall and sends it back, in place of the mirror image.",
             "The mirror image in place of the projection.",
@@ -105,16 +106,17 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S11.ex3",
-        statement: "Exercise: the Jacobian of the projection v < 0 ↦ 0 is singular, so it cannot be symplectic; and the elastic reflection \
-            is an exception – what is its Jacobian?",
+        statement: r"Exercise: the Jacobian of the projection $v < 0 \mapsto 0$ is singular, so it cannot be symplectic; and the elastic
+            reflection is an exception – what is its Jacobian?",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Exercise,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "The projection: diag(1, 0). The reflection: diag(1, −1), determinant −1, which is not symplectic. The \
-            exception is the flow across the impact: over a time T without forces −(1, T; 0, 1), determinant 1.",
+        correct_statement: r"The projection: $\operatorname{diag}(1, 0)$. The reflection: $\operatorname{diag}(1, -1)$, determinant −1,
+            which is not symplectic. The exception is the flow across the impact: over a time $T$ without forces $-(1, T; 0, 1)$,
+            determinant 1.",
         argument: "One dimension, in rationals with dual numbers: determinants 0, −1 and 1.",
-        controls: &["The flow in the place of the reflection.", "e = 4/5 in the flow and in the projection, which is e = 0."],
+        controls: &["The flow in the place of the reflection.", r"$e = 4/5$ in the flow and in the projection, which is $e = 0$."],
         sources: &["chapter §11, exercise 3"],
         check: check!(exercise),
     },

@@ -16,17 +16,18 @@ use crate::tolerance::schemes::ball_velocity;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S12.step",
-        statement: "From q = 0.005, v = −0.99 with h = 0.01: v_free = −1.09, forecast −0.0059 < 0, U = P − 1.585, hence \
-                    P = 1.585 N·s and v⁺ = 0.495 m/s.",
+        statement: r"From $q = 0.005$, $v = -0.99$ with $h = 0.01$: $v_\text{free} = -1.09$, forecast $-0.0059 < 0$, $U = P - 1.585$,
+            hence $P = 1.585$ N·s and $v^+ = 0.495$ m/s.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated.",
-        argument: "v_free = −99/100 − 1/10 = −109/100; forecast 1/200 + v_free/100 = −59/10000; U = v_free + P + ½v = \
-                   P − 317/200; P = 317/200, v⁺ = 99/200. The f64 scheme with its solver gives the same within its rounding.",
+        argument: r"$v_\text{free} = -99/100 - 1/10 = -109/100$; forecast $1/200 + v_\text{free}/100 = -59/10000$;
+            $U = v_\text{free} + P + \tfrac12v = P - 317/200$; $P = 317/200$, $v^+ = 99/200$. The f64 scheme with its solver gives the
+            same within its rounding.",
         controls: &[
-            "The same step with e times v_free instead of e times v in the argument: P = 1.635 N·s.",
+            r"The same step with $e$ times $v_\text{free}$ instead of $e$ times $v$ in the argument: $P = 1.635$ N·s.",
             "The step from −0.9 m/s, which free fall has there (S12.state).",
         ],
         sources: &["chapter §12, contact step"],
@@ -34,44 +35,48 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S12.vplus",
-        statement: "The step satisfies the impact law: v⁺ = −e v⁻ = −0.5 · (−0.99) = 0.495 m/s.",
+        statement: r"The step satisfies the impact law: $v^+ = -e\,v^- = -0.5 \cdot (-0.99) = 0.495$ m/s.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, with v⁻ the velocity v_ℓ at the start of the step (not v_free, the velocity just before \
-                            the discrete impact).",
-        argument: "v⁺ + e v_ℓ = 99/200 − 99/200 = 0; with v_free in place of v_ℓ it is −1/20.",
+        correct_statement: r"As stated, with $v^-$ the velocity $v_\ell$ at the start of the step (not $v_\text{free}$, the velocity just
+            before the discrete impact).",
+        argument: r"$v^+ + e\,v_\ell = 99/200 - 99/200 = 0$; with $v_\text{free}$ in place of $v_\ell$ it is −1/20.",
         controls: &["A ball that falls with the same velocity 0.05 m above the floor: the contact takes no part in the step."],
         sources: &["chapter §12, check of the impact law"],
         check: check!(impact_law),
     },
     Claim {
         id: "S12.impulse-split",
-        statement: "The impulse splits as P = 1.585 = 1.09 + 0.495: first it cancels m|v_free|, then it produces m v⁺.",
+        statement: r"The impulse splits as $P = 1.585 = 1.09 + 0.495$: first it cancels $m|v_\text{free}|$, then it produces $m\,v^+$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated; it holds for every mass, P = m|v_free| + m v⁺. Against m|v_ℓ| = 0.99 N·s the first part holds \
-            gravity’s m g h = 0.1 N·s as well.",
-        argument: "The LCP of the same step with e = 0 just stops the ball: its impulse is 109/100, and what the step with e = ½ adds to \
-            it is 99/200 = m v⁺, three times each for m = 3. Both LCPs are solved by Lemke’s method, v⁺ is that of the scheme.",
-        controls: &["The ball without gravity: 0.99 N·s stop it.", "m|v_ℓ| in the place of m|v_free| as the part that stops the ball."],
+        correct_statement: r"As stated; it holds for every mass, $P = m|v_\text{free}| + m\,v^+$. Against $m|v_\ell| = 0.99$ N·s the first
+            part holds gravity’s $m\,g\,h = 0.1$ N·s as well.",
+        argument: r"The LCP of the same step with $e = 0$ just stops the ball: its impulse is 109/100, and what the step with
+            $e = \tfrac12$ adds to it is $99/200 = m\,v^+$, three times each for $m = 3$. Both LCPs are solved by Lemke’s method, $v^+$ is
+            that of the scheme.",
+        controls: &[
+            "The ball without gravity: 0.99 N·s stop it.",
+            r"$m|v_\ell|$ in the place of $m|v_\text{free}|$ as the part that stops the ball.",
+        ],
         sources: &["chapter §12, splitting of the impulse"],
         check: check!(impulse_split),
     },
     Claim {
         id: "S12.qplus",
-        statement: "The new position is q⁺ = 0.005 + 0.01 · 0.495 = 0.005 + 0.00495 = 0.0099 m > 0.",
+        statement: r"The new position is $q^+ = 0.005 + 0.01 \cdot 0.495 = 0.005 + 0.00495 = 0.0099\,\mathrm{m} > 0$.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::Misprint),
         evidence: Evidence::Exact,
-        correct_statement: "q⁺ = 0.00995 m (199/20000); the summands are right, their sum was truncated.",
-        argument: "1/200 + 99/20000 = 199/20000 = 0.00995. The conclusion drawn from it, that the ball has left the floor, stands.",
+        correct_statement: r"$q^+ = 0.00995$ m (199/20000); the summands are right, their sum was truncated.",
+        argument: r"$1/200 + 99/20000 = 199/20000 = 0.00995$. The conclusion drawn from it, that the ball has left the floor, stands.",
         controls: &[
-            "The step from v = −0.98 m/s, whose new position is 0.0099 m.",
+            r"The step from $v = -0.98$ m/s, whose new position is 0.0099 m.",
             "The step from 0.01 m below the floor, which it does not leave.",
         ],
         sources: &["chapter §12, new position"],
@@ -85,13 +90,14 @@ pub const CLAIMS: &[Claim] = &[
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated.",
-        argument: "0 ≤ W P + v_free + e v ⟂ P ≥ 0, solved by Lemke's method in rationals: the impact of the example gives \
-                   P = 317/200; a ball lying on the floor (v = 0) gets P = m g h = 1/10 and stays; a ball leaving it with \
-                   v = 1 gets P = 0.",
+        argument: r"$0 \le W\,P + v_\text{free} + e\,v \perp P \ge 0$, solved by Lemke's method in rationals: the impact of the example
+            gives $P = 317/200$; a ball lying on the floor ($v = 0$) gets $P = m\,g\,h = 1/10$ and stays; a ball leaving it with $v = 1$
+            gets $P = 0$.",
         controls: &[
-            "The LCP without e v in its argument: it cancels the incoming velocity but produces no rebound.",
+            r"The LCP without $e\,v$ in its argument: it cancels the incoming velocity but produces no rebound.",
             "The ball without gravity.",
-            "An equation in the place of the complementarity, W P + v_free + e v = 0: the contact holds the ball that leaves.",
+            r"An equation in the place of the complementarity, $W\,P + v_\text{free} + e\,v = 0$: the contact holds the ball that
+                leaves.",
         ],
         sources: &["chapter §12, central insight"],
         check: check!(one_problem_for_all),

@@ -8,21 +8,22 @@ use crate::solvers::lemke::solution;
 /// The claims of this file.
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "S12.ex3",
-    statement: "Exercise: write the convex QP of each step; is it equivalent to the LCP in one dimension without friction? With a \
-        tangential direction (friction, horizontal initial velocity) LCP and relaxation begin to differ by an O(h) gliding: show it.",
+    statement: r"Exercise: write the convex QP of each step; is it equivalent to the LCP in one dimension without friction? With a
+        tangential direction (friction, horizontal initial velocity) LCP and relaxation begin to differ by an $O(h)$ gliding: show it.",
     verdict: ClaimVerdict::Conditional,
     kind: Kind::Exercise,
     severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Exact,
-    correct_statement: "They are: the one-dimensional QP and LCP have the same solution. With friction they differ only \
-        while the contact slides, by the gap μh|v_t|; they agree where it sticks, with a horizontal velocity too.",
-    argument: "QP: min ½P² − 1.585 P over P ≥ 0 has the minimiser max(0, 1.585) = 317/200, which is the solution of the LCP 0 ≤ P ⟂ P − \
-        317/200 ≥ 0 of the chapter’s contact step. With 1 m/s along the ground and μ = ½ the ball slides, and the relaxed step lifts it \
-        by μ h v_t more, for h = 1/100 and 1/200; with ½ m/s the impact stops it and both laws give the same velocity. On a slope, \
-        h = 1/200, μ = ½: Coulomb slides at φ = 0 and the relaxed step at φ = μ h v_t exactly.",
+    correct_statement: r"They are: the one-dimensional QP and LCP have the same solution. With friction they differ only while the contact
+        slides, by the gap $\mu h|v_t|$; they agree where it sticks, with a horizontal velocity too.",
+    argument: r"QP: min $\tfrac12P^2 - 1.585\,P$ over $P \ge 0$ has the minimiser $\max(0, 1.585) = 317/200$, which is the solution of the
+        LCP $0 \le P \perp P - 317/200 \ge 0$ of the chapter’s contact step. With 1 m/s along the ground and $\mu = \tfrac12$ the ball
+        slides, and the relaxed step lifts it by $\mu\,h\,v_t$ more, for $h = 1/100$ and 1/200; with ½ m/s the impact stops it and both
+        laws give the same velocity. On a slope, $h = 1/200$, $\mu = \tfrac12$: Coulomb slides at $\varphi = 0$ and the relaxed step at
+        $\varphi = \mu\,h\,v_t$ exactly.",
     controls: &[
         "A landing at 1 m/s, which slides, in place of the one that sticks.",
-        "The LCP with e v_free in the place of e v.",
+        r"The LCP with $e\,v_\text{free}$ in the place of $e\,v$.",
         "Coulomb's law in the place of the relaxation.",
     ],
     sources: &["chapter §12, exercise 3"],

@@ -12,35 +12,36 @@ use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S12.energy",
-        statement: "With the kinetic energies E⁻ = ½ · 0.99² = 0.490 J (of v⁻ = −0.99) and E⁺ = ½ · 0.495² = 0.1225 J, E⁺/E⁻ = 0.25 = e²: \
-            75 % are lost.",
+        statement: r"With the kinetic energies $E^- = \tfrac12 \cdot 0.99^2 = 0.490$ J (of $v^- = -0.99$) and
+            $E^+ = \tfrac12 \cdot 0.495^2 = 0.1225$ J, $E^+/E^- = 0.25 = e^2$: 75 % are lost.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: the chapter names its reference, the kinetic energy of v_ℓ, and with it the ratio is e² for every \
-            h and θ. With v_free it is 0.2062, with the speed √(v_ℓ² + 2 g q_ℓ) of the physical impact 0.2269; the ratio of the total \
-            energies is 0.4111 (θ = 1) or 0.2736 (θ = ½).",
-        argument: "v⁺ = −e v_ℓ gives the ratio e², and the energies round to the printed digits. With other references: 9801/47524 of \
-            the energy of v_free, 9801/43204 of that of the physical impact; the total energies are those of S12.ex2.",
-        controls: &["E⁻ taken with v_free.", "E⁺ taken with the rebound −e v_free."],
+        correct_statement: r"As stated: the chapter names its reference, the kinetic energy of $v_\ell$, and with it the ratio is $e^2$
+            for every $h$ and $\theta$. With $v_\text{free}$ it is 0.2062, with the speed $\sqrt{v_\ell^2 + 2\,g\,q_\ell}$ of the physical
+            impact 0.2269; the ratio of the total energies is 0.4111 ($\theta = 1$) or 0.2736 ($\theta = \tfrac12$).",
+        argument: r"$v^+ = -e\,v_\ell$ gives the ratio $e^2$, and the energies round to the printed digits. With other references:
+            9801/47524 of the energy of $v_\text{free}$, 9801/43204 of that of the physical impact; the total energies are those of
+            S12.ex2.",
+        controls: &[r"$E^-$ taken with $v_\text{free}$.", r"$E^+$ taken with the rebound $-e\,v_\text{free}$."],
         sources: &["chapter §12, energy check"],
         check: check!(energy_ratio),
     },
     Claim {
         id: "S12.energy-limit",
-        statement: "e < 1 dissipates energy in a collision, the share 1 − e².",
+        statement: r"$e < 1$ dissipates energy in a collision, the share $1 - e^2$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated of the kinetic energy at the start of the step (S12.energy). Against the energy of the fall, which \
-            the section does not compute, to first order: |v⁺²/(2 g q₀) − e²| ≤ e²(2η + η²) with η = δ₀ g h/√(2 g q₀); the constant is a \
-            sawtooth in h.",
-        argument: "Free steps conserve Ẽ = ½v² + g q − (θ−½) g h v, and the bounce happens within one step of the floor, so \
-                   |v⁻| differs from √(2 g q₀) by at most δ₀ g h (derived at the bound in the source). The scheme is run \
-                   for h = 10⁻², 10⁻³, 10⁻⁴ and held against that bound.",
-        controls: &["The restitution coefficient on the other side of the complementarity, 0 ≤ e v⁺ + v⁻ ⟂ P ≥ 0."],
+        correct_statement: r"As stated of the kinetic energy at the start of the step (S12.energy). Against the energy of the fall, which
+            the section does not compute, to first order: $|v^{+2}/(2\,g\,q_0) - e^2| \le e^2(2\eta + \eta^2)$ with
+            $\eta = \delta_0\,g\,h/\sqrt{2\,g\,q_0}$; the constant is a sawtooth in $h$.",
+        argument: r"Free steps conserve $\tilde E = \tfrac12v^2 + g\,q - (\theta - \tfrac12)\,g\,h\,v$, and the bounce happens within one
+            step of the floor, so $|v^-|$ differs from $\sqrt{2\,g\,q_0}$ by at most $\delta_0\,g\,h$ (derived at the bound in the
+            source). The scheme is run for $h = 10^{-2}$, $10^{-3}$, $10^{-4}$ and held against that bound.",
+        controls: &[r"The restitution coefficient on the other side of the complementarity, $0 \le e\,v^+ + v^- \perp P \ge 0$."],
         sources: &["chapter §12, energy check; chapter §7"],
         check: check!(energy_limit),
     },
@@ -52,28 +53,34 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Exercise,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: after two steps (0.0139, 0.395) and (0.01685, 0.295); the second contact is the eleventh \
-                            step, from v = −0.505 m/s, 1.0202 times the rebound, and leaves with 0.2525 m/s.",
-        argument: "Free steps from v = 99/200 end one step of gravity beyond −99/200, as Ẽ = E − ½ g h v and not E is conserved: the ratio \
-            of the speeds is 101/99 = 1.0202…",
-        controls: &["θ = ½ in the position update, with which the two heights of the exercise differ.", "A duller ball, e = 1/3."],
+        correct_statement: r"As stated: after two steps $(0.0139, 0.395)$ and $(0.01685, 0.295)$; the second contact is the eleventh step,
+            from $v = -0.505$ m/s, 1.0202 times the rebound, and leaves with 0.2525 m/s.",
+        argument: r"Free steps from $v = 99/200$ end one step of gravity beyond −99/200, as $\tilde E = E - \tfrac12\,g\,h\,v$ and not $E$
+            is conserved: the ratio of the speeds is $101/99 = 1.0202\ldots$",
+        controls: &[
+            r"$\theta = \tfrac12$ in the position update, with which the two heights of the exercise differ.",
+            r"A duller ball, $e = 1/3$.",
+        ],
         sources: &["chapter §12, exercise 1"],
         check: check!(two_more_steps),
     },
     Claim {
         id: "S12.ex2",
-        statement: "Recompute the contact step with θ = ½: which θ comes closer to the theoretical energy ratio e² = 0.25, and why?",
+        statement: r"Recompute the contact step with $\theta = \tfrac12$: which $\theta$ comes closer to the theoretical energy ratio
+            $e^2 = 0.25$, and why?",
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Exercise,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "Neither for the kinetic energy: P, v⁺ and the ratio 1/4 do not depend on θ, which enters only the \
-                            position (0.00995 m or 0.002525 m). For the total energy θ = ½ comes closer: 0.2736 against 0.4111.",
-        argument: "θ multiplies velocities in the position update only; the LCP of the step does not contain it. The question presumes \
-            that one θ comes closer: with the kinetic energies, which the section compares, none does; with the total energy θ = ½ does.",
+        correct_statement: r"Neither for the kinetic energy: $P$, $v^+$ and the ratio 1/4 do not depend on $\theta$, which enters only the
+            position (0.00995 m or 0.002525 m). For the total energy $\theta = \tfrac12$ comes closer: 0.2736 against 0.4111.",
+        argument: r"$\theta$ multiplies velocities in the position update only; the LCP of the step does not contain it. The question
+            presumes that one $\theta$ comes closer: with the kinetic energies, which the section compares, none does; with the total
+            energy $\theta = \tfrac12$ does.",
         controls: &[
-            "The ball without gravity, whose total energy is the kinetic one: no θ comes closer in either reading.",
-            "An impact law of the velocity at θ, v⁺ = −e(θ v_free + (1−θ) v): it has another kinetic energy for each θ.",
+            r"The ball without gravity, whose total energy is the kinetic one: no $\theta$ comes closer in either reading.",
+            r"An impact law of the velocity at $\theta$, $v^+ = -e(\theta\,v_\text{free} + (1 - \theta)\,v)$: it has another kinetic
+                energy for each $\theta$.",
         ],
         sources: &["chapter §12, exercise 2"],
         check: check!(theta_and_energy),

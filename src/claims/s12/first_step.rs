@@ -12,52 +12,54 @@ use crate::schemes::{Activation, MoreauJean, RestitutionRule, assembled};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S12.setup",
-        statement: "A point mass m = 1 kg under g = 10 m/s² above the floor q = 0 with gap φ(q) = q has H = ∇φ = 1 and \
-                    the Delassus operator W = H M⁻¹ Hᵀ = 1.",
+        statement: r"A point mass $m = 1$ kg under $g = 10$ m/s² above the floor $q = 0$ with gap $\varphi(q) = q$ has
+            $H = \nabla\varphi = 1$ and the Delassus operator $W = H\,M^{-1}\,H^T = 1$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated; W has the unit 1/kg.",
-        argument: "H is the derivative of q by q, 1, and W = 1 · (1/1 kg) · 1 = 1/kg: once in rationals, once as the \
-                   problem that the scheme assembles.",
-        controls: &["The same ball with m = 2 kg, for which W = 1/2.", "A ceiling in the place of the floor, φ(q) = −q."],
+        correct_statement: r"As stated; $W$ has the unit 1/kg.",
+        argument: r"$H$ is the derivative of $q$ by $q$, 1, and $W = 1 \cdot (1/1\,\mathrm{kg}) \cdot 1 = 1$/kg: once in rationals, once
+            as the problem that the scheme assembles.",
+        controls: &[r"The same ball with $m = 2$ kg, for which $W = 1/2$.", r"A ceiling in the place of the floor, $\varphi(q) = -q$."],
         sources: &["chapter §12, setting"],
         check: check!(setup),
     },
     Claim {
         id: "S12.h01",
-        statement: "With h = 0.1 the first step forecasts q₀ + h v_free = −0.05 < 0, so the contact is active and \
-                    P₁ = 1 N·s, v₁ = 0, although the ball is still at 0.05 m; the chapter itself calls this a degenerate case.",
+        statement: r"With $h = 0.1$ the first step forecasts $q_0 + h\,v_\text{free} = -0.05 < 0$, so the contact is active and $P_1 = 1$
+            N·s, $v_1 = 0$, although the ball is still at 0.05 m; the chapter itself calls this a degenerate case.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated; moreover the state repeats: the ball hovers at 0.05 m with P = 1 N·s in every step.",
-        argument: "v_free = 0 − 10 · 1/10 = −1, forecast 1/20 − 1/10 = −1/20 < 0, U = P − 1 + ½ · 0 = 0 gives P = 1 and \
-                   v₁ = 0, q₁ = 1/20. The state after the step equals the state before it, hence so do all that follow.",
+        correct_statement: r"As stated; moreover the state repeats: the ball hovers at 0.05 m with $P = 1$ N·s in every step.",
+        argument: r"$v_\text{free} = 0 - 10 \cdot 1/10 = -1$, forecast $1/20 - 1/10 = -1/20 < 0$, $U = P - 1 + \tfrac12 \cdot 0 = 0$ gives
+            $P = 1$ and $v_1 = 0$, $q_1 = 1/20$. The state after the step equals the state before it, hence so do all that follow.",
         controls: &[
-            "The rule φ + ½ h v ≤ 0 of the Siconos code instead of the forecast with v_free: not active, the ball falls.",
-            "h = 1/100 in the place of 1/10, the chapter's own remedy.",
+            r"The rule $\varphi + \tfrac12\,h\,v \le 0$ of the Siconos code instead of the forecast with $v_\text{free}$: not active, the
+                ball falls.",
+            r"$h = 1/100$ in the place of 1/10, the chapter's own remedy.",
         ],
         sources: &["chapter §12, step 1"],
         check: check!(coarse_first_step),
     },
     Claim {
         id: "S12.cause",
-        statement: "The early activation exposes a problem of purely velocity-level schemes with a large step: they judge by \
-                    extrapolated penetration; use a smaller h, or the position level (Stewart–Trinkle's φ/h judges better).",
+        statement: r"The early activation exposes a problem of purely velocity-level schemes with a large step: they judge by extrapolated
+            penetration; use a smaller $h$, or the position level (Stewart–Trinkle's $\varphi/h$ judges better).",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "The cause is the forecast φ + h v_free of the activation rule, not the velocity level: under \
-                            φ + ½ h v ≤ 0 the same velocity-level step does not activate. A smaller h does not remove \
-                            the effect but scales it: with the forecast by v_free the ball comes to rest within g h² of \
-                            the floor, in general above it. Stewart–Trinkle lands exactly.",
-        argument: "h = 1/10, q = 1/20, v = 0: φ + h v_free = −1/20 ≤ 0 is active, φ + ½ h v = 1/20 is not. \
-                   Stewart–Trinkle: φ/h + v⁺ ≥ 0 gives v⁺ = −1/2 and q⁺ = 0. With 100, 200 and 400 steps a second the ball has \
-                   come to rest after the steps to T∞ and as many again, at heights in [0, g h²].",
+        correct_statement: r"The cause is the forecast $\varphi + h\,v_\text{free}$ of the activation rule, not the velocity level: under
+            $\varphi + \tfrac12\,h\,v \le 0$ the same velocity-level step does not activate. A smaller $h$ does not remove the effect but
+            scales it: with the forecast by $v_\text{free}$ the ball comes to rest within $g\,h^2$ of the floor, in general above it.
+            Stewart–Trinkle lands exactly.",
+        argument: r"$h = 1/10$, $q = 1/20$, $v = 0$: $\varphi + h\,v_\text{free} = -1/20 \le 0$ is active,
+            $\varphi + \tfrac12\,h\,v = 1/20$ is not. Stewart–Trinkle: $\varphi/h + v^+ \ge 0$ gives $v^+ = -1/2$ and $q^+ = 0$. With 100,
+            200 and 400 steps a second the ball has come to rest after the steps to $T_\infty$ and as many again, at heights in
+            $[0, g\,h^2]$.",
         controls: &[
             "The half-step forecast as the rule of the scheme: it does not activate.",
             "A ball that comes at 1 m/s in the place of the one at rest: both rules see it.",
@@ -68,31 +70,36 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S12.h001",
-        statement: "With h = 0.01 the forecast is 0.049 > 0, the contact is not active, P₁ = 0, v₁ = −0.1 m/s, q₁ = 0.049 m.",
+        statement: r"With $h = 0.01$ the forecast is $0.049 > 0$, the contact is not active, $P_1 = 0$, $v_1 = -0.1$ m/s, $q_1 = 0.049$
+            m.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated.",
-        argument: "v_free = −1/10, forecast 1/20 + v_free/100 = 49/1000 > 0, hence P₁ = 0, v₁ = −1/10, q₁ = 49/1000.",
-        controls: &["θ = ½ instead of 1, which moves the ball by 1/2000 m only.", "h = 1/10, with which the contact is active."],
+        argument: r"$v_\text{free} = -1/10$, forecast $1/20 + v_\text{free}/100 = 49/1000 > 0$, hence $P_1 = 0$, $v_1 = -1/10$,
+            $q_1 = 49/1000$.",
+        controls: &[
+            r"$\theta = \tfrac12$ instead of 1, which moves the ball by 1/2000 m only.",
+            r"$h = 1/10$, with which the contact is active.",
+        ],
         sources: &["chapter §12, step 1 repeated with h = 0.01"],
         check: check!(fine_first_step),
     },
     Claim {
         id: "S12.state",
-        statement: "Jump to some step at which the body is about to land: let q = 0.005 m, v = −0.99 m/s (the velocity accumulated in \
-            free fall), h = 0.01.",
+        statement: r"Jump to some step at which the body is about to land: let $q = 0.005$ m, $v = -0.99$ m/s (the velocity accumulated in
+            free fall), $h = 0.01$.",
         verdict: ClaimVerdict::Inconsistent,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "Free fall from 0.05 m reaches 0.005 m with v = −0.9 m/s after nine such steps (−0.9487 m/s in \
-                            continuous time). The contact step from there has P = 1.45 N·s, v⁺ = 0.45 m/s, q⁺ = 0.0095 m.",
-        argument: "Free steps with θ = 1 conserve Ẽ = ½v² + g q − ½ g h v per unit mass: 1/2 at the start, but 11791/20000 at \
-                   (0.005, −0.99). The bracket ties the state to free fall, from which it is not reachable in this example; as an \
-                   assumed state it serves the computation.",
-        controls: &["The state (0.005, −0.9), which is reachable.", "A fall from 0.083 m."],
+        correct_statement: r"Free fall from 0.05 m reaches 0.005 m with $v = -0.9$ m/s after nine such steps (−0.9487 m/s in continuous
+            time). The contact step from there has $P = 1.45$ N·s, $v^+ = 0.45$ m/s, $q^+ = 0.0095$ m.",
+        argument: r"Free steps with $\theta = 1$ conserve $\tilde E = \tfrac12v^2 + g\,q - \tfrac12\,g\,h\,v$ per unit mass: 1/2 at the
+            start, but 11791/20000 at $(0.005, -0.99)$. The bracket ties the state to free fall, from which it is not reachable in this
+            example; as an assumed state it serves the computation.",
+        controls: &[r"The state $(0.005, -0.9)$, which is reachable.", "A fall from 0.083 m."],
         sources: &["chapter §12, contact step"],
         check: check!(state_before_contact),
     },

@@ -8,18 +8,18 @@ use moreau_exact::witness::{Part, Witness, decided};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S2.bipotential",
-        statement: "De Saxcé's bipotential is b(v, r) = μ‖v_t‖ r_n + ⟨v, r⟩.",
+        statement: r"De Saxcé's bipotential is $b(v, r) = \mu\|v_t\|\,r_n + \langle v, r\rangle$.",
         verdict: ClaimVerdict::False,
         kind: Kind::Definition,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "b(−u, r) = μ r_n‖u_t‖ plus the indicators of u_n ≥ 0 and r ∈ K_μ. The printed expression is its residual b(−u, \
-            r) + ⟨u, r⟩ without the indicators, zero exactly on the contact law.",
-        argument: "A bipotential satisfies b(−u, r) ≥ −⟨u, r⟩ with equality exactly on the law. Sliding with u = (0, 1, 0), r = (1, −μ, \
-            0), μ = 7/10: −⟨u, r⟩ = 7/10 = μ r_n‖u_t‖, but the printed expression is 7/5 with v = −u, and 0 with v = u. With v = u it is \
-            right under another name: as the residual it vanishes on all stick, slip and open pairs of the grid with r ∈ K_μ, u_n ≥ 0, \
-            and on no other of them.",
-        controls: &["μ‖v_t‖ r_n without the term ⟨v, r⟩."],
+        correct_statement: r"$b(-u, r) = \mu\,r_n\|u_t\|$ plus the indicators of $u_n \ge 0$ and $r \in K_\mu$. The printed expression is
+            its residual $b(-u, r) + \langle u, r\rangle$ without the indicators, zero exactly on the contact law.",
+        argument: r"A bipotential satisfies $b(-u, r) \ge -\langle u, r\rangle$ with equality exactly on the law. Sliding with
+            $u = (0, 1, 0)$, $r = (1, -\mu, 0)$, $\mu = 7/10$: $-\langle u, r\rangle = 7/10 = \mu\,r_n\|u_t\|$, but the printed expression
+            is 7/5 with $v = -u$, and 0 with $v = u$. With $v = u$ it is right under another name: as the residual it vanishes on all
+            stick, slip and open pairs of the grid with $r \in K_\mu$, $u_n \ge 0$, and on no other of them.",
+        controls: &[r"$\mu\|v_t\|\,r_n$ without the term $\langle v, r\rangle$."],
         sources: &["chapter §2, friction by the bipotential", "de Saxcé and Feng, The bipotential method (1998)"],
         check: check!(bipotential),
     },
@@ -31,12 +31,12 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "K_μ ∋ r ⟂ u + μ‖u_t‖ n ∈ K_μ*.",
-        argument: "û_n = u_n + μ‖u_t‖, so û ∈ K* iff u_n ≥ 0, and r·û = r_n u_n + (μ r_n‖u_t‖ + r_t·u_t) is a sum of two terms that are ≥ \
-            0 on r ∈ K: it vanishes iff Signorini's and Coulomb's laws hold. \
-            On a grid of rational pairs with rational norms the two formulations agree everywhere; stick, slip and separation all \
-            satisfy the inclusion somewhere.",
-        controls: &["The inclusion without the term μ‖u_t‖ n."],
+        correct_statement: r"$K_\mu \ni r \perp u + \mu\|u_t\|\,n \in K_\mu^*$.",
+        argument: r"$\hat u_n = u_n + \mu\|u_t\|$, so $\hat u \in K^*$ iff $u_n \ge 0$, and
+            $r\cdot\hat u = r_n\,u_n + (\mu\,r_n\|u_t\| + r_t\cdot u_t)$ is a sum of two terms that are $\ge 0$ on $r \in K$: it vanishes
+            iff Signorini's and Coulomb's laws hold. On a grid of rational pairs with rational norms the two formulations agree
+            everywhere; stick, slip and separation all satisfy the inclusion somewhere.",
+        controls: &[r"The inclusion without the term $\mu\|u_t\|\,n$."],
         sources: &["chapter §2, friction by the bipotential", "de Saxcé and Feng, The bipotential method (1998)"],
         check: check!(inclusion),
     },

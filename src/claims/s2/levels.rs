@@ -16,54 +16,57 @@ use crate::tolerance::rounding;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S2.NTC-robust",
-        statement: "N_C(q) of the position level switches abruptly at φ = 0 and is hard to discretise. Replacing it by the velocity-level \
-            N_{T_C(q)}(v⁺) makes time-stepping naturally robust to changes of activation: one need not know exactly when φ reaches zero, \
-            only impose the velocity constraint at the contacts with φ ≤ 0 (or about to be, after linearisation).",
+        statement: r"$N_C(q)$ of the position level switches abruptly at $\varphi = 0$ and is hard to discretise. Replacing it by the
+            velocity-level $N_{T_C(q)}(v^+)$ makes time-stepping naturally robust to changes of activation: one need not know exactly when
+            $\varphi$ reaches zero, only impose the velocity constraint at the contacts with $\varphi \le 0$ (or about to be, after
+            linearisation).",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: no event time is needed, and the result depends on the activation rule by O(h) only. The switch \
-            itself remains: at v⁺ = 0 the cone N_{T_C(q)}(v⁺) jumps from {0} to a half-line at φ = 0 just as N_C does.",
-        argument: "A plastic ball dropped from 1/10 m with h = 1/64 s comes to rest under the rules A (φ ≤ 0), B (half a step ahead) and D \
-            (free forecast) within h·|v| of the floor, without any event detected; under A it rests below the floor and under D on or \
-            above it. ∇φ·v⁺ > 0: of all g on a grid only 0 is in the cone, at φ > 0 and at φ = 0. ∇φ·v⁺ = 0: at φ = 0 the half-line −λ∇φ \
-            joins it.",
-        controls: &["The constraint imposed only where φ = 0 exactly, which no step meets."],
+        correct_statement: r"As stated: no event time is needed, and the result depends on the activation rule by $O(h)$ only. The switch
+            itself remains: at $v^+ = 0$ the cone $N_{T_C(q)}(v^+)$ jumps from $\{0\}$ to a half-line at $\varphi = 0$ just as $N_C$
+            does.",
+        argument: r"A plastic ball dropped from 1/10 m with $h = 1/64$ s comes to rest under the rules A ($\varphi \le 0$), B (half a step
+            ahead) and D (free forecast) within $h\cdot|v|$ of the floor, without any event detected; under A it rests below the floor and
+            under D on or above it. $\nabla\varphi\cdot v^+ > 0$: of all $g$ on a grid only 0 is in the cone, at $\varphi > 0$ and at
+            $\varphi = 0$. $\nabla\varphi\cdot v^+ = 0$: at $\varphi = 0$ the half-line $-\lambda\nabla\varphi$ joins it.",
+        controls: &[r"The constraint imposed only where $\varphi = 0$ exactly, which no step meets."],
         sources: &["chapter §2, from N_C to N_{T_C}"],
         check: check!(activation),
     },
     Claim {
         id: "S2.pos-vel-equiv",
-        statement: "Position and velocity level are equivalent in persistent contact (φ ≡ 0); they differ when contact is about to be \
-            made.",
+        statement: r"Position and velocity level are equivalent in persistent contact ($\varphi \equiv 0$); they differ when contact is
+            about to be made.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated, in continuous time; for a linear gap it holds step by step.",
-        argument: "φ ≡ 0 on an interval gives φ̇ = 0; conversely ∇φ·v⁺ ≥ 0 with complementarity from φ = 0 keeps φ ≥ 0. For linear φ = 0 \
-            Stewart–Trinkle's condition φ/h + u_n ≥ 0 is Moreau–Jean's u_n ≥ 0: \
-            twenty steps of a block on an incline, sliding (μ = 0.3) and sticking (μ = 0.8), agree to rounding and leave φ = 0.",
+        argument: r"$\varphi \equiv 0$ on an interval gives $\dot\varphi = 0$; conversely $\nabla\varphi\cdot v^+ \ge 0$ with
+            complementarity from $\varphi = 0$ keeps $\varphi \ge 0$. For linear $\varphi = 0$ Stewart–Trinkle's condition
+            $\varphi/h + u_n \ge 0$ is Moreau–Jean's $u_n \ge 0$: twenty steps of a block on an incline, sliding ($\mu = 0.3$) and
+            sticking ($\mu = 0.8$), agree to rounding and leave $\varphi = 0$.",
         controls: &["The same block started 1/64 m above the incline, about to make contact."],
         sources: &["chapter §2, table of levels", "chapter §4"],
         check: check!(equivalence),
     },
     Claim {
         id: "S2.pos-strict",
-        statement: "Table: the position level guarantees strict non-penetration, at the price of expanding a nonlinear gap (§4: \
-            approximately after linearisation; §9: a residual of O(h²)).",
+        statement: r"Table: the position level guarantees strict non-penetration, at the price of expanding a nonlinear gap (§4:
+            approximately after linearisation; §9: a residual of $O(h^2)$).",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated: exact for linear φ. With φ linearised in each step there remains −½h² v·∇²φ v, which does not \
-            accumulate.",
-        argument: "A bead of unit speed on the inside of a unit circle: the linearised condition puts q⁺ on the tangent line, |q⁺|² = 1 + \
-            h²w² with the tangential speed w ≤ 1, whatever the gap before. \
-            So φ = 1 − √(1+h²) after the first step and never below −h²/2: −5.0e-5 and −5.0e-7 m for h = 1e-2 and 1e-3 s over two \
+        correct_statement: r"As stated: exact for linear $\varphi$. With $\varphi$ linearised in each step there remains
+            $-\tfrac12h^2\,v\cdot\nabla^2\varphi\,v$, which does not accumulate.",
+        argument: r"A bead of unit speed on the inside of a unit circle: the linearised condition puts $q^+$ on the tangent line,
+            $|q^+|^2 = 1 + h^2w^2$ with the tangential speed $w \le 1$, whatever the gap before. So $\varphi = 1 - \sqrt{1 + h^2}$ after
+            the first step and never below $-h^2/2$: $-\text{5.0e-5}$ and $-\text{5.0e-7}$ m for $h = \text{1e-2}$ and 1e-3 s over two
             seconds. A block that lands on a plane from 1/64 m at 1 m/s is never below it.",
-        controls: &["The velocity level (Moreau–Jean, activation φ ≤ 0)."],
+        controls: &[r"The velocity level (Moreau–Jean, activation $\varphi \le 0$)."],
         sources: &["chapter §2, table of levels; §4, comparison of the two schemes; §9, what goes wrong"],
         check: check!(position_level),
     },
@@ -74,12 +77,12 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated: positions drift on curved constraints, to a depth like h v² T/(2R). For linear φ in persistent \
-            contact they do not.",
-        argument: "The bead on the unit circle moves along the tangent, so |q⁺|² = |q|² + h²w², and |q| w is conserved: |q|² ≤ 1 + hT. \
-            The depth after T lies in [hT/((1+hT)(1+√(1+hT))), √(1+hT) − 1]; it is 9.85e-3 and 9.99e-4 m for h = 1e-2 and 1e-3 s at T = \
-            2 s, and in every step ∇φ·v⁺ ≥ 0 at the gradient of its start. A block sliding on a plane keeps φ = 0 exactly: they may \
-            drift, as the chapter says, and need not.",
+        correct_statement: r"As stated: positions drift on curved constraints, to a depth like $h\,v^2\,T/(2R)$. For linear $\varphi$ in
+            persistent contact they do not.",
+        argument: r"The bead on the unit circle moves along the tangent, so $|q^+|^2 = |q|^2 + h^2w^2$, and $|q|\,w$ is conserved:
+            $|q|^2 \le 1 + hT$. The depth after $T$ lies in $[hT/((1 + hT)(1 + \sqrt{1 + hT})), \sqrt{1 + hT} - 1]$; it is 9.85e-3 and
+            9.99e-4 m for $h = \text{1e-2}$ and 1e-3 s at $T = 2$ s, and in every step $\nabla\varphi\cdot v^+ \ge 0$ at the gradient of
+            its start. A block sliding on a plane keeps $\varphi = 0$ exactly: they may drift, as the chapter says, and need not.",
         controls: &["The position level (Stewart–Trinkle).", "MuJoCo's contact with a time constant of 0.2 s, which brakes by and by."],
         sources: &["chapter §2, table of levels", "chapter §3, pitfall on drift"],
         check: check!(velocity_level),
@@ -91,11 +94,12 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "The continuous motion satisfies φ ≥ 0 at all times by definition; discrete ones need the drift corrected.",
-        argument: "q(t) ∈ C is part of the problem. The exact bouncing ball (e = 1/2) is not below the floor at any of 4000 instants up to \
-            twice its last impact; its discretisation with the activation φ ≤ 0 is, by up to h|v|. A unit mass that lands at 1 m/s on an \
-            undamped spring k goes 1/√k below the floor: there the penetration is the force.",
-        controls: &["The discrete motion of Moreau–Jean, activation φ ≤ 0, without correction, and a critically damped spring."],
+        correct_statement: r"The continuous motion satisfies $\varphi \ge 0$ at all times by definition; discrete ones need the drift
+            corrected.",
+        argument: r"$q(t) \in C$ is part of the problem. The exact bouncing ball ($e = 1/2$) is not below the floor at any of 4000
+            instants up to twice its last impact; its discretisation with the activation $\varphi \le 0$ is, by up to $h|v|$. A unit mass
+            that lands at 1 m/s on an undamped spring $k$ goes $1/\sqrt{k}$ below the floor: there the penetration is the force.",
+        controls: &[r"The discrete motion of Moreau–Jean, activation $\varphi \le 0$, without correction, and a critically damped spring."],
         sources: &["chapter §2, sweeping process and penalty compared"],
         check: check!(penetration),
     },

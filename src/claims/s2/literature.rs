@@ -11,12 +11,13 @@ pub const CLAIMS: &[Claim] = &[Claim {
     kind: Kind::Citation,
     severity: None,
     evidence: Evidence::Exact,
-    correct_statement: "The paper was not read. Those found under these names treat one perfect constraint without friction (with Paoli, \
-        Nonlinear Dynamics 58 (2009) 361). What can be decided: as a set-valued law, with or without a bipotential, Coulomb's law has a \
-        closed graph; what lacks it is the single-valued law with r_t = 0 at rest.",
-    argument: "μ = 7/10, r_n = 1: the sliding pairs u = (0, 1/k), r = (1, −μ), k = 1 … 64, satisfy both laws. Their limit u = 0 has r ∈ \
-        K and r·û = 0, so the set-valued law holds there and lacks nothing; the single-valued law does not hold in the limit.",
-    controls: &["μ = 0: no reading of the law lacks semicontinuity.", "A coefficient at rest below that of sliding."],
+    correct_statement: r"The paper was not read. Those found under these names treat one perfect constraint without friction (with Paoli,
+        Nonlinear Dynamics 58 (2009) 361). What can be decided: as a set-valued law, with or without a bipotential, Coulomb's law has a
+        closed graph; what lacks it is the single-valued law with $r_t = 0$ at rest.",
+    argument: r"$\mu = 7/10$, $r_n = 1$: the sliding pairs $u = (0, 1/k)$, $r = (1, -\mu)$, $k = 1$ … 64, satisfy both laws. Their limit
+        $u = 0$ has $r \in K$ and $r\cdot\hat u = 0$, so the set-valued law holds there and lacks nothing; the single-valued law does not
+        hold in the limit.",
+    controls: &[r"$\mu = 0$: no reading of the law lacks semicontinuity.", "A coefficient at rest below that of sliding."],
     sources: &["chapter §2, friction by the bipotential, and §7, convergence with friction", "HAL hal-01552482 (abstract)"],
     check: check!(closed_graph),
 }];

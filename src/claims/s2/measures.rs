@@ -12,49 +12,51 @@ use std::cmp::Ordering;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S2.base-measure",
-        statement: "The base measure is dμ = dt + Σᵢ δ_{tᵢ}, the Lebesgue measure and an atom at each impact; v is of bounded variation \
-            and dv splits into v̇ dt and jumps.",
+        statement: r"The base measure is $d\mu = dt + \sum_i\,\delta_{t_i}$, the Lebesgue measure and an atom at each impact; $v$ is of
+            bounded variation and $dv$ splits into $\dot v\,dt$ and jumps.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Definition,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "True for finitely many impacts in bounded time and without a Cantor part of dv. Past a Zeno point the atoms \
-            need summable weights, for instance the jumps: dμ = dt + |dv|.",
-        argument: "The masses of the atoms n … 2n must fall as n doubles if the atoms are to have a finite sum. The elastic ball makes \
-            eight impacts in 15 fall times, and no more. With e = 1/2 there are infinitely many before T∞, each with unit mass: the \
-            masses double with n, so Σδ_{tᵢ} is not finite on any neighbourhood of T∞. The jumps (1+e)eᵏv₀ sum to (1+e)/(1−e) v₀ = 3 v₀. \
-            Functions of bounded variation may also grow on a null set without jumping: on the intervals of the n-th generation of \
-            Cantor’s set, whose total length falls to 0, his function rises by 1 for n = 2, 4, 8, and by 2⁻ⁿ on each. As the values of \
-            the inclusion are cones, any other dμ that dominates dt and dv serves as well.",
+        correct_statement: r"True for finitely many impacts in bounded time and without a Cantor part of $dv$. Past a Zeno point the atoms
+            need summable weights, for instance the jumps: $d\mu = dt + |dv|$.",
+        argument: r"The masses of the atoms $n$ … $2n$ must fall as $n$ doubles if the atoms are to have a finite sum. The elastic ball
+            makes eight impacts in 15 fall times, and no more. With $e = 1/2$ there are infinitely many before $T_\infty$, each with unit
+            mass: the masses double with $n$, so $\sum\delta_{t_i}$ is not finite on any neighbourhood of $T_\infty$. The jumps
+            $(1 + e)e^kv_0$ sum to $(1 + e)/(1 - e)\,v_0 = 3\,v_0$. Functions of bounded variation may also grow on a null set without
+            jumping: on the intervals of the $n$-th generation of Cantor’s set, whose total length falls to 0, his function rises by 1 for
+            $n = 2$, 4, 8, and by $2^{-n}$ on each. As the values of the inclusion are cones, any other $d\mu$ that dominates $dt$ and
+            $dv$ serves as well.",
         controls: &[
-            "The atoms weighted with the jumps, and x in place of Cantor’s function.",
-            "The ball with e = 1/2 up to T∞ in place of the elastic one.",
+            r"The atoms weighted with the jumps, and $x$ in place of Cantor’s function.",
+            r"The ball with $e = 1/2$ up to $T_\infty$ in place of the elastic one.",
         ],
         sources: &["chapter §2, step 4, term by term", "Ambrosio, Fusco and Pallara, Functions of Bounded Variation (2000), §3.2"],
         check: check!(base_measure),
     },
     Claim {
         id: "S2.sweep-theory",
-        statement: "Sweeping processes are rigorous mathematics with a complete theory of existence and uniqueness (Moreau 1977 for \
-            convex C(t), later prox-regular sets). “Sweeping” stands for −q̇ ∈ N_{C(t)}(q) (of first order) or its second-order dynamic \
-            version.",
+        statement: r"Sweeping processes are rigorous mathematics with a complete theory of existence and uniqueness (Moreau 1977 for
+            convex $C(t)$, later prox-regular sets). “Sweeping” stands for $-\dot q \in N_{C(t)}(q)$ (of first order) or its second-order
+            dynamic version.",
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "Existence and uniqueness hold for the first-order process with convex or prox-regular C(t). For the \
-            second-order process of this chapter uniqueness needs analytic data and no friction. The text names the second order in the \
+        correct_statement: r"Existence and uniqueness hold for the first-order process with convex or prox-regular $C(t)$. For the
+            second-order process of this chapter uniqueness needs analytic data and no friction. The text names the second order in the
             next sentence, on the meaning of the word; whether the theory is said to cover it is open.",
-        argument: "First order, convex: the catching-up steps q ↦ P_{C(t)}(q) are non-expansive, so two motions never separate – checked \
-            exactly on a moving interval. Not prox-regular: C(t) = {|q| ≥ t} sweeps q(0) = 0 to t and to −t, both with −q̇ ∈ N. Second \
-            order without friction, C = {q ≥ 0}, e = 1/2, q(0) = 0, v(0) = 0: a point pulled to the floor stays there. If the pull \
-            alternates between 1 and 16 m/s² it also bounces away: a flight up under 1 and down under 16 lands 4 times as fast as it \
-            left, leaves 2 times as fast as before, and backwards in time the flights shrink to the start. Under a constant pull they do \
-            not. Second order with friction: W = (1 2; 2 5), μ = 1, free motion (1, 10) admits r = (0,0), (1,−1) and (15,−8): \
-            separation, sliding contact, impact (Painlevé).",
+        argument: r"First order, convex: the catching-up steps $q \mapsto P_{C(t)}(q)$ are non-expansive, so two motions never separate –
+            checked exactly on a moving interval. Not prox-regular: $C(t) = \{|q| \ge t\}$ sweeps $q(0) = 0$ to $t$ and to $-t$, both with
+            $-\dot q \in N$. Second order without friction, $C = \{q \ge 0\}$, $e = 1/2$, $q(0) = 0$, $v(0) = 0$: a point pulled to the
+            floor stays there. If the pull alternates between 1 and 16 m/s² it also bounces away: a flight up under 1 and down under 16
+            lands 4 times as fast as it left, leaves 2 times as fast as before, and backwards in time the flights shrink to the start.
+            Under a constant pull they do not. Second order with friction: $W = \begin{bmatrix}1 & 2 \\ 2 & 5\end{bmatrix}$, $\mu = 1$, free motion $(1, 10)$ admits
+            $r = (0, 0)$, (1,−1) and (15,−8): separation, sliding contact, impact (Painlevé).",
         controls: &[
-            "A constant pull, and W diagonal.",
-            "The set |q| ≥ t in place of the interval, the pull that alternates and the W that jams in place of those that do not.",
+            r"A constant pull, and $W$ diagonal.",
+            r"The set $|q| \ge t$ in place of the interval, the pull that alternates and the $W$ that jams in place of those that do
+                not.",
         ],
         sources: &[
             "chapter §2, pitfall on the sweeping process",

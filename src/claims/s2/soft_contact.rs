@@ -15,34 +15,36 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "The clamped spring max(0, −kφ) is continuous with a kink at φ = 0; with damping the force jumps at touchdown. \
-            It is differentiable away from the change of the active set – as hard contact is.",
-        argument: "The difference quotients of max(0, −kφ) at 0 are −k from the left and 0 from the right, at every step size. With a \
-            dashpot, −kφ − c φ̇ for φ < 0, the force at touchdown with 2 m/s and c = 30 N·s/m is 60 N an instant after contact and 0 \
-            before it. The hard impact v⁺(v⁻) with e = 1/2 has the slopes −1/2 and 1 at v⁻ = 0.",
+        correct_statement: r"The clamped spring $\max(0, -k\varphi)$ is continuous with a kink at $\varphi = 0$; with damping the force
+            jumps at touchdown. It is differentiable away from the change of the active set – as hard contact is.",
+        argument: r"The difference quotients of $\max(0, -k\varphi)$ at 0 are $-k$ from the left and 0 from the right, at every step size.
+            With a dashpot, $-k\varphi - c\,\dot\varphi$ for $\varphi < 0$, the force at touchdown with 2 m/s and $c = 30$ N·s/m is 60 N
+            an instant after contact and 0 before it. The hard impact $v^+(v^-)$ with $e = 1/2$ has the slopes −1/2 and 1 at $v^- = 0$.",
         controls: &[
-            "Spring and dashpot that never let go, −kφ − c φ̇ at every φ: differentiable, but they hold the bodies together.",
-            "A hard contact that never lets go, v⁺ = −e v⁻ at every v⁻.",
+            r"Spring and dashpot that never let go, $-k\varphi - c\,\dot\varphi$ at every $\varphi$: differentiable, but they hold the
+                bodies together.",
+            r"A hard contact that never lets go, $v^+ = -e\,v^-$ at every $v^-$.",
         ],
         sources: &["chapter §2, sweeping process and penalty compared"],
         check: check!(differentiability),
     },
     Claim {
         id: "S2.soft-limit",
-        statement: "Soft and hard contact are united for k → ∞: the stiff limit of soft contact is hard contact.",
+        statement: r"Soft and hard contact are united for $k \to \infty$: the stiff limit of soft contact is hard contact.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "Penetration vanishes like v√(m/k), and the limit is hard contact with the restitution that the damping ratio \
-            ζ fixes, independent of k: e = 1 without damping, exp(−πζ/√(1−ζ²)) if the dashpot acts until φ = 0, and a larger one if the \
-            force may not pull.",
-        argument: "In the time √(m/k) the impact is m x″ + 2ζ x′ + x = 0, without k. Integrated for k = 1e4 and 1e8 N/m: e = 0.5266 (ζ = \
-            0.2) and 0.1630 (ζ = 0.5) for the dashpot until φ = 0; 0.5717 and 0.2984 when contact ends with the force; 1 for ζ = 0. With \
-            the dashpots that give 0.5266 and 0.1630 at k = 1e4 left as they are, k = 1e8 has a hundredth of ζ and e = 0.994 and 0.984: k \
-            → ∞ at fixed damping tends to the elastic law, whatever c was meant to model.",
+        correct_statement: r"Penetration vanishes like $v\sqrt{m/k}$, and the limit is hard contact with the restitution that the damping
+            ratio $\zeta$ fixes, independent of $k$: $e = 1$ without damping, $\exp(-\pi\zeta/\sqrt{1 - \zeta^2})$ if the dashpot acts
+            until $\varphi = 0$, and a larger one if the force may not pull.",
+        argument: r"In the time $\sqrt{m/k}$ the impact is $m\,x^{\prime\prime} + 2\zeta\,x' + x = 0$, without $k$. Integrated for
+            $k = \text{1e4}$ and 1e8 N/m: $e = 0.5266$ ($\zeta = 0.2$) and 0.1630 ($\zeta = 0.5$) for the dashpot until $\varphi = 0$;
+            0.5717 and 0.2984 when contact ends with the force; 1 for $\zeta = 0$. With the dashpots that give 0.5266 and 0.1630 at
+            $k = \text{1e4}$ left as they are, $k = \text{1e8}$ has a hundredth of $\zeta$ and $e = 0.994$ and 0.984: $k \to \infty$ at
+            fixed damping tends to the elastic law, whatever $c$ was meant to model.",
         controls: &[
-            "The dashpot that grows with √k in place of the one that is left as it is.",
+            r"The dashpot that grows with $\sqrt{k}$ in place of the one that is left as it is.",
             "The impact integrated by explicit Euler in place of Runge and Kutta.",
         ],
         sources: &[

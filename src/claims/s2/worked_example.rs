@@ -11,95 +11,105 @@ use std::collections::BTreeSet;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S2.case2",
-        statement: "Case two of the example: from −M dv ∈ N_{T_C(0)}(v⁺), with v⁻ < 0, the impulse makes v⁺ = 0 (plastic, e = 0) or v⁺ = \
-            −e v⁻ = e|v⁻| > 0 (rebound).",
+        statement: r"Case two of the example: from $-M\,dv \in N_{T_C(0)}(v^+)$, with $v^- < 0$, the impulse makes $v^+ = 0$ (plastic,
+            $e = 0$) or $v^+ = -e\,v^- = e|v^-| > 0$ (rebound).",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "−M dv ∈ N_{T_C(0)}(v⁺) has the one solution v⁺ = 0. A rebound needs the argument v⁺ + e v⁻ of §3, whose one \
-            solution is v⁺ = −e v⁻.",
-        argument: "If v⁺ > 0, then v⁺ is interior to T_C(0) = {u ≥ 0}, N = {0}, and v⁺ = v⁻ < 0: a contradiction. From v⁻ = −1 the \
-            solutions of the printed inclusion are {0}; v⁺ = 1/2 is none of them. \
-            The text means the two impact laws and labels them by e; only the replacement of the argument is missing.",
-        controls: &["The inclusion with the argument v⁺ + e v⁻, whose solution is −e v⁻ for either e.", "The argument v⁻."],
+        correct_statement: r"$-M\,dv \in N_{T_C(0)}(v^+)$ has the one solution $v^+ = 0$. A rebound needs the argument $v^+ + e\,v^-$ of
+            §3, whose one solution is $v^+ = -e\,v^-$.",
+        argument: r"If $v^+ > 0$, then $v^+$ is interior to $T_C(0) = \{u \ge 0\}$, $N = \{0\}$, and $v^+ = v^- < 0$: a contradiction.
+            From $v^- = -1$ the solutions of the printed inclusion are $\{0\}$; $v^+ = 1/2$ is none of them. The text means the two impact
+            laws and labels them by $e$; only the replacement of the argument is missing.",
+        controls: &[r"The inclusion with the argument $v^+ + e\,v^-$, whose solution is $-e\,v^-$ for either $e$.", r"The argument $v^-$."],
         sources: &["chapter §2, worked example, case two"],
         check: check!(case_two),
     },
     Claim {
         id: "S2.cone-direction",
-        statement: "In case two the normal cone N_{T_C(0)}(0) = {g ≤ 0} is the normal pointing into the set.",
+        statement: r"In case two the normal cone $N_{T_C(0)}(0) = \{g \le 0\}$ is the normal pointing into the set.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::Misprint),
         evidence: Evidence::Exact,
-        correct_statement: "The set {g ≤ 0} is right; for C = {q ≥ 0} it points out of C. The force −g is what points in.",
-        argument: "0 + t g = −t ∉ C for g = −1 and every t > 0. Only the words in parentheses are wrong; three lines on, the text has the \
-            wall push along the inward normal, which is right.",
-        controls: &["The force −g in place of the members g of the cone.", "A wall on the other side, C = {q ≤ 0}."],
+        correct_statement: r"The set $\{g \le 0\}$ is right; for $C = \{q \ge 0\}$ it points out of $C$. The force $-g$ is what points
+            in.",
+        argument: r"$0 + t\,g = -t \notin C$ for $g = -1$ and every $t > 0$. Only the words in parentheses are wrong; three lines on, the
+            text has the wall push along the inward normal, which is right.",
+        controls: &[r"The force $-g$ in place of the members $g$ of the cone.", r"A wall on the other side, $C = \{q \le 0\}$."],
         sources: &["chapter §2, worked example, case two"],
         check: check!(cone_direction),
     },
     Claim {
         id: "S2.case13",
-        statement: "Cases one and three: inside (q > 0), or at the wall and leaving (q = 0, v > 0), there is no force and v does not \
-            change.",
+        statement: r"Cases one and three: inside ($q > 0$), or at the wall and leaving ($q = 0$, $v > 0$), there is no force and $v$ does
+            not change.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: the normal cone is {0}.",
-        argument: "Inside T_C = ℝ, at the wall with v > 0 the velocity is interior to T_C = {u ≥ 0}; in both N = {0}, hence P = m(v⁺ − v⁻) \
-            = 0. The solution sets for v⁻ = 1/3, 2 are {v⁻}, and of all g = −2 … 2 only 0 is in the cone.",
-        controls: &["Case two in place of both: at the wall with v⁻ < 0."],
+        correct_statement: r"As stated: the normal cone is $\{0\}$.",
+        argument: r"Inside $T_C = \mathbb{R}$, at the wall with $v > 0$ the velocity is interior to $T_C = \{u \ge 0\}$; in both
+            $N = \{0\}$, hence $P = m(v^+ - v^-) = 0$. The solution sets for $v^- = 1/3$, 2 are $\{v^-\}$, and of all $g = -2$ … 2 only 0
+            is in the cone.",
+        controls: &[r"Case two in place of both: at the wall with $v^- < 0$."],
         sources: &["chapter §2, worked example, cases one and three"],
         check: check!(cases_one_and_three),
     },
     Claim {
         id: "S2.branches",
-        statement: "The three cases are the three branches of 0 ≤ φ ⟂ λ ≥ 0: (φ > 0, λ = 0), (φ = 0, λ > 0), (φ = 0, λ = 0).",
+        statement: r"The three cases are the three branches of $0 \le \varphi \perp \lambda \ge 0$: ($\varphi > 0$, $\lambda = 0$),
+            ($\varphi = 0$, $\lambda > 0$), ($\varphi = 0$, $\lambda = 0$).",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; these are all branches.",
-        argument: "At q = 0, 1/2, 2 and v⁻ = −2 … 2 the inclusion gives λ = v⁺ − v⁻: it is 0 inside, positive against the wall, 0 where \
-            the point leaves it. These are three of the nine pairs of signs of φ and λ, and the only ones with 0 ≤ φ, 0 ≤ λ and φλ = 0.",
-        controls: &["A wall that holds the point fast: leaving has λ < 0.", "A wall at 1/2 in place of 0, its gap measured from 0."],
+        argument: r"At $q = 0$, 1/2, 2 and $v^- = -2$ … 2 the inclusion gives $\lambda = v^+ - v^-$: it is 0 inside, positive against the
+            wall, 0 where the point leaves it. These are three of the nine pairs of signs of $\varphi$ and $\lambda$, and the only ones
+            with $0 \le \varphi$, $0 \le \lambda$ and $\varphi\lambda = 0$.",
+        controls: &[
+            r"A wall that holds the point fast: leaving has $\lambda < 0$.",
+            "A wall at 1/2 in place of 0, its gap measured from 0.",
+        ],
         sources: &["chapter §2, insight after the worked example"],
         check: check!(branches),
     },
     Claim {
         id: "S2.ex1",
-        statement: "Exercise 1: with Newton's law the impulse at the wall is P = −2 m v⁻ for e = 1 and P = −m v⁻ for e = 0.",
+        statement: r"Exercise 1: with Newton's law the impulse at the wall is $P = -2\,m\,v^-$ for $e = 1$ and $P = -m\,v^-$ for
+            $e = 0$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Exercise,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "P = m(v⁺ − v⁻) = −(1 + e) m v⁻.",
-        argument: "Integrating the inclusion over the atom gives P = m(v⁺ − v⁻); v⁺ = −e v⁻ is the only solution with argument v⁺ + e v⁻. \
-            For m = 3/2 and v⁻ = −2: P = 3, 9/2, 6 N·s for e = 0, 1/2, 1.",
-        controls: &["The argument v⁺ + v⁻/3 instead of v⁺ + e v⁻.", "The argument v⁻ alone, with which there is no impact."],
+        correct_statement: r"$P = m(v^+ - v^-) = -(1 + e)\,m\,v^-$.",
+        argument: r"Integrating the inclusion over the atom gives $P = m(v^+ - v^-)$; $v^+ = -e\,v^-$ is the only solution with argument
+            $v^+ + e\,v^-$. For $m = 3/2$ and $v^- = -2$: $P = 3$, 9/2, 6 N·s for $e = 0$, 1/2, 1.",
+        controls: &[r"The argument $v^+ + v^-/3$ instead of $v^+ + e\,v^-$.", r"The argument $v^-$ alone, with which there is no impact."],
         sources: &["chapter §2, exercise 1"],
         check: check!(exercise_one),
     },
     Claim {
         id: "S2.ex3",
-        statement: "Exercise 3: in persistent contact (no impact, dμ = dt) −M v̇ + F ∈ N_{T_C}(v⁺) is equivalent to 0 ≤ λ_n ⟂ (∇φᵀv⁺ or \
-            φ) ≥ 0; with the friction cone ‖β‖ ≤ μλ_n added this becomes an NCP and not an LCP.",
+        statement: r"Exercise 3: in persistent contact (no impact, $d\mu = dt$) $-M\,\dot v + F \in N_{T_C}(v^+)$ is equivalent to
+            $0 \le \lambda_n$ ⟂ ($\nabla\varphi^Tv^+$ or $\varphi$) $\ge 0$; with the friction cone $\|\beta\| \le \mu\lambda_n$ added
+            this becomes an NCP and not an LCP.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Exercise,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "The equivalence holds on φ = 0. The printed cone leaves an LCP in the plane, where it is a polyhedron; the \
-            nonlinear problem comes with the circular cone of a spatial contact.",
-        argument: "At φ > 0 the inclusion admits every v⁺ with λ = 0, the complementarity only those with ∇φ·v⁺ ≥ 0. In the plane the \
-            Stewart–Trinkle LCP with ±t has for W = I, u_free = (−1, 1), μ = 1/2 the one solution r = (1, −1/2), on the cone and opposed \
-            to u = (0, 1/2): Coulomb's law, exactly. In space, four directions and u_free = (−1, 1, 1), the same LCP gives ‖r_t‖²/(μ \
-            r_n)² = 1/2 instead of 1. No rational LCP with one solution can do better there: Coulomb's r_t = −(1,1)/(2√2) is irrational.",
+        correct_statement: r"The equivalence holds on $\varphi = 0$. The printed cone leaves an LCP in the plane, where it is a
+            polyhedron; the nonlinear problem comes with the circular cone of a spatial contact.",
+        argument: r"At $\varphi > 0$ the inclusion admits every $v^+$ with $\lambda = 0$, the complementarity only those with
+            $\nabla\varphi\cdot v^+ \ge 0$. In the plane the Stewart–Trinkle LCP with $\pm t$ has for $W = I$, $u_\text{free} = (-1, 1)$,
+            $\mu = 1/2$ the one solution $r = (1, -1/2)$, on the cone and opposed to $u = (0, 1/2)$: Coulomb's law, exactly. In space,
+            four directions and $u_\text{free} = (-1, 1, 1)$, the same LCP gives $\|r_t\|^2/(\mu\,r_n)^2 = 1/2$ instead of 1. No rational
+            LCP with one solution can do better there: Coulomb's $r_t = -(1, 1)/(2\sqrt2)$ is irrational.",
         controls: &[
             "The spatial contact in place of the planar one.",
-            "The force along −∇φ, and the planar contact in place of the spatial one.",
+            r"The force along $-\nabla\varphi$, and the planar contact in place of the spatial one.",
         ],
         sources: &["chapter §2, exercise 3"],
         check: check!(exercise_three),

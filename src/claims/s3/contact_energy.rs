@@ -13,50 +13,51 @@ use num_traits::{One, Zero};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.contact-work-sign",
-        statement: "ΔE_contact = −½Pᵀ(U⁺ + U⁻) (the chapter adds: the sign depends on the convention).",
+        statement: r"$\Delta E_\text{contact} = -\tfrac12P^T(U^+ + U^-)$ (the chapter adds: the sign depends on the convention).",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, with its warning: with P ≥ 0 and M(v⁺ − v⁻) = HᵀP, the convention of the scheme in §3, ΔT = \
-            +½Pᵀ(U⁺ + U⁻); the minus sign belongs to P = ∫dR with M(v⁺ − v⁻) = −HᵀP, the convention of §0.",
-        argument: "ΔT = ½(v⁺ + v⁻)ᵀM(v⁺ − v⁻) = ±½Pᵀ(U⁺ + U⁻). Two unit masses in line at 1 and 0 m/s, e = 0: P = 1/2, U⁻ = −1, U⁺ = 0, ΔT \
-            = −1/4 = +½·½·(−1).",
+        correct_statement: r"As stated, with its warning: with $P \ge 0$ and $M(v^+ - v^-) = H^TP$, the convention of the scheme in §3,
+            $\Delta T = +\tfrac12P^T(U^+ + U^-)$; the minus sign belongs to $P = \int dR$ with $M(v^+ - v^-) = -H^TP$, the convention of
+            §0.",
+        argument: r"$\Delta T = \tfrac12(v^+ + v^-)^TM(v^+ - v^-) = \pm\tfrac12P^T(U^+ + U^-)$. Two unit masses in line at 1 and 0 m/s,
+            $e = 0$: $P = 1/2$, $U^- = -1$, $U^+ = 0$, $\Delta T = -1/4 = +\tfrac12\cdot\tfrac12\cdot(-1)$.",
         controls: &["The minus sign together with the convention of §3.", "The velocity after the impact in place of the mean."],
         sources: &["chapter §3, energy change in the contact phase", "chapter §0 for the sign of dR"],
         check: check!(work_sign),
     },
     Claim {
         id: "S3.contact-diss",
-        statement: "In the Moreau–Jean frame Pᵀ(v⁺ + e v⁻)/2 ≥ 0 guarantees that the contact dissipates in addition (e < 1 loses energy, e \
-            = 1 keeps it).",
+        statement: r"In the Moreau–Jean frame $P^T(v^+ + e\,v^-)/2 \ge 0$ guarantees that the contact dissipates in addition ($e < 1$
+            loses energy, $e = 1$ keeps it).",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, for one common e, as the chapter writes it, a pure impact, and the law on every component if there \
-            is friction: ΔT ≤ −½(1−e)/(1+e) PᵀWP ≤ 0, with equality without friction.",
-        argument: "Ū = U⁺ + eU⁻ and U⁺ − U⁻ = WP give U⁺ + U⁻ = 2Ū/(1+e) − (1−e)/(1+e) WP; complementarity makes PᵀŪ = 0 in the convention \
-            P ≥ 0 (and the sign of the chapter's inequality is right in the convention P = ∫dR). Checked in rationals on a chain of balls \
-            for e = 0, 1/3, 1. With e = (1, 0) at the two ends of a rod, W = [[1, −1/2], [−1/2, 1]], U⁻ = (−1, 1/2), the kinetic energy \
-            grows by 1/6 J.",
-        controls: &["The rod with e = (1, 0).", "A chain that only one sweep of Gauss–Seidel was spent on."],
+        correct_statement: r"As stated, for one common $e$, as the chapter writes it, a pure impact, and the law on every component if
+            there is friction: $\Delta T \le -\tfrac12(1 - e)/(1 + e)\,P^TWP \le 0$, with equality without friction.",
+        argument: r"$\bar U = U^+ + eU^-$ and $U^+ - U^- = WP$ give $U^+ + U^- = 2\bar U/(1 + e) - (1 - e)/(1 + e)\,WP$; complementarity
+            makes $P^T\bar U = 0$ in the convention $P \ge 0$ (and the sign of the chapter's inequality is right in the convention
+            $P = \int dR$). Checked in rationals on a chain of balls for $e = 0$, 1/3, 1. With $e = (1, 0)$ at the two ends of a rod,
+            $W = \begin{bmatrix}1 & -1/2 \\ -1/2 & 1\end{bmatrix}$, $U^- = (-1, 1/2)$, the kinetic energy grows by 1/6 J.",
+        controls: &[r"The rod with $e = (1, 0)$.", "A chain that only one sweep of Gauss–Seidel was spent on."],
         sources: &["chapter §3, energy change in the contact phase"],
         check: check!(dissipation),
     },
     Claim {
         id: "S3.moreau-diss",
-        statement: "In the Moreau–Jean frame contact dissipates in addition (e < 1 loses energy, e = 1 keeps it) (§3); Moreau's law treats \
-            friction by the inclusion and dissipates it automatically (§7, table).",
+        statement: r"In the Moreau–Jean frame contact dissipates in addition ($e < 1$ loses energy, $e = 1$ keeps it) (§3); Moreau's law
+            treats friction by the inclusion and dissipates it automatically (§7, table).",
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "For one common e without friction, and with friction if v⁺ + e v⁻ is taken in normal and tangential \
+        correct_statement: r"For one common $e$ without friction, and with friction if $v^+ + e\,v^-$ is taken in normal and tangential
             components. Newton's law on the normal component alone, combined with Coulomb friction, can gain energy.",
-        argument: "W = [[2, 4], [4, 9]], μ = 7/4, e = 1, U⁻ = (−1, −2): with the full vector P = (1, 0) lies in the cone, U⁺ = −U⁻ and the \
-            energy is kept; with the normal component alone ½UᵀW⁻¹U grows from 1/4 J to 9/4 J. §3 writes the argument v⁺ + e v⁻ whole and \
-            expands its normal component.",
+        argument: r"$W = \begin{bmatrix}2 & 4 \\ 4 & 9\end{bmatrix}$, $\mu = 7/4$, $e = 1$, $U^- = (-1, -2)$: with the full vector
+            $P = (1, 0)$ lies in the cone, $U^+ = -U^-$ and the energy is kept; with the normal component alone $\tfrac12U^TW^{-1}U$ grows
+            from 1/4 J to 9/4 J. §3 writes the argument $v^+ + e\,v^-$ whole and expands its normal component.",
         controls: &[
             "Restitution of the full vector in place of the normal component alone.",
             "Restitution of the normal component alone in place of the full vector.",

@@ -8,33 +8,35 @@ use crate::elimination::solve;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.delassus-psd",
-        statement: "M ≻ 0, hence W = H M⁻¹Hᵀ ⪰ 0.",
+        statement: r"$M \succ 0$, hence $W = H\,M^{-1}H^T \succeq 0$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "W is positive semidefinite, and positive definite iff the rows of H are independent.",
-        argument: "xᵀWx = (Hᵀx)ᵀM⁻¹(Hᵀx) ≥ 0, zero iff Hᵀx = 0. Decided exactly here for H with independent and dependent rows, and on a \
-            thousand random systems in the property family.",
-        controls: &["A symmetric invertible M that is not positive definite.", "The dependent row left out."],
+        correct_statement: r"$W$ is positive semidefinite, and positive definite iff the rows of $H$ are independent.",
+        argument: r"$x^TWx = (H^Tx)^TM^{-1}(H^Tx) \ge 0$, zero iff $H^Tx = 0$. Decided exactly here for $H$ with independent and dependent
+            rows, and on a thousand random systems in the property family.",
+        controls: &[r"A symmetric invertible $M$ that is not positive definite.", "The dependent row left out."],
         sources: &["chapter §3, step 5; table of theorems"],
         check: check!(semidefinite),
     },
     Claim {
         id: "S3.delassus-phys",
-        statement: "W is the contact's effective compliance: ΔU = W P; one contact and one velocity: 1/m; off-diagonal entries couple \
-            contacts; nearly parallel contact directions or extreme masses make W ill-conditioned.",
+        statement: r"$W$ is the contact's effective compliance: $\Delta U = W\,P$; one contact and one velocity: $1/m$; off-diagonal
+            entries couple contacts; nearly parallel contact directions or extreme masses make $W$ ill-conditioned.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated. Two contacts of a point at the angle α have condition number cot²(α/2); two contacts of a chain of \
-            masses 1, 1/ρ, 1 have 1 + 2ρ.",
-        argument: "With tan(α/2) = t the two normals have cosine (1−t²)/(1+t²), and W = (1/m)[[1, c], [c, 1]] has eigenvalues 1 ± c, ratio \
-            1/t²: 1e6 at t = 1/1000. The chain's W = [[1+ρ, −ρ], [−ρ, 1+ρ]] has eigenvalues 1 (vector (1, 1)) and 1 + 2ρ (vector (1, −1)).",
+        correct_statement: r"As stated. Two contacts of a point at the angle $\alpha$ have condition number $\cot^2(\alpha/2)$; two
+            contacts of a chain of masses 1, $1/\rho$, 1 have $1 + 2\rho$.",
+        argument: r"With $\tan(\alpha/2) = t$ the two normals have cosine $(1 - t^2)/(1 + t^2)$, and
+            $W = (1/m)\begin{bmatrix}1 & c \\ c & 1\end{bmatrix}$ has eigenvalues $1 \pm c$, ratio $1/t^2$: 1e6 at $t = 1/1000$. The
+            chain's $W = \begin{bmatrix}1 + \rho & -\rho \\ -\rho & 1 + \rho\end{bmatrix}$ has eigenvalues 1 (vector $(1, 1)$) and
+            $1 + 2\rho$ (vector $(1, -1)$).",
         controls: &[
             "Perpendicular normals and equal masses, where the condition numbers are 1 and 3.",
-            "H M Hᵀ, the inverse of M forgotten.",
+            r"$H\,M\,H^T$, the inverse of $M$ forgotten.",
         ],
         sources: &["chapter §3, “what the Delassus operator is”"],
         check: check!(compliance),

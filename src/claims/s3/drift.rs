@@ -9,20 +9,21 @@ use crate::tolerance::claims::theta_scheme::bead_sagitta;
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "S3.drift",
-    statement: "The velocity constraint keeps the velocity from penetrating only; φ may slowly become negative by discretisation errors \
-        (drift), and the body sinks gradually into the ground. Without projection, pure Moreau–Jean lets a body sink slowly into the \
-        table over long runs.",
+    statement: r"The velocity constraint keeps the velocity from penetrating only; $\varphi$ may slowly become negative by discretisation
+        errors (drift), and the body sinks gradually into the ground. Without projection, pure Moreau–Jean lets a body sink slowly into
+        the table over long runs.",
     verdict: ClaimVerdict::Conditional,
     kind: Kind::Assertion,
     severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Certified,
-    correct_statement: "A body on a plane does not drift under the activation rules A, B or D (A: φ ≤ 0, B: φ + ½hu ≤ 0, D: φ + h u_free ≤ \
-        0): only the offset of the landing remains. It sinks under rule C (φ + h u ≤ 0 and u ≤ 0) with 0 < e < 1, at g h (1−e)/(2(1+e)); \
-        along curved constraints, at h v²κ/2; and with unconverged solvers.",
-    argument: "Ball dropped from 1/10 m, e = 1/2, h = 1/100 s, 1000 steps: under A, B and D the height over the last 500 steps does not \
-        change by a bit, and a ball placed on the floor stays there exactly, in rationals; under rule C the dropped ball sinks at 0.01635 \
-        m/s. A bead sliding on a circle of radius 1 m at 1 m/s, h = 1/1024 s: angular momentum r v is conserved and r² grows by h²v² per \
-        step, so it leaves at h v²/(2R) = 4.9e-4 m/s.",
+    correct_statement: r"A body on a plane does not drift under the activation rules A, B or D (A: $\varphi \le 0$, B:
+        $\varphi + \tfrac12hu \le 0$, D: $\varphi + h\,u_\text{free} \le 0$): only the offset of the landing remains. It sinks under rule
+        C ($\varphi + h\,u \le 0$ and $u \le 0$) with $0 < e < 1$, at $g\,h\,(1 - e)/(2(1 + e))$; along curved constraints, at
+        $h\,v^2\kappa/2$; and with unconverged solvers.",
+    argument: r"Ball dropped from 1/10 m, $e = 1/2$, $h = 1/100$ s, 1000 steps: under A, B and D the height over the last 500 steps does
+        not change by a bit, and a ball placed on the floor stays there exactly, in rationals; under rule C the dropped ball sinks at
+        0.01635 m/s. A bead sliding on a circle of radius 1 m at 1 m/s, $h = 1/1024$ s: angular momentum $r\,v$ is conserved and $r^2$
+        grows by $h^2v^2$ per step, so it leaves at $h\,v^2/(2R) = \text{4.9e-4}$ m/s.",
     controls: &["Activation rule C for the dropped ball in place of A, B and D.", "The position level (Stewart–Trinkle) for the bead."],
     sources: &["chapter §3, common pitfalls (drift)", "chapter §3, exercise 3 (block at rest for 1000 steps)"],
     check: check!(sinking),

@@ -10,23 +10,23 @@ use std::collections::BTreeSet;
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "S3.energy-runs-down",
-    statement: "θ = 1 draws energy off artificially; where long-term conservation matters (satellite, pendulum, chains of elastic \
+    statement: r"$\theta = 1$ draws energy off artificially; where long-term conservation matters (satellite, pendulum, chains of elastic
         collisions) the simulation runs ever slower until it stands still.",
     verdict: ClaimVerdict::False,
     kind: Kind::Assertion,
     severity: Some(Severity::WrongStatement),
     evidence: Evidence::Certified,
-    correct_statement: "True for the pendulum and other oscillators. Elastic collisions do not run down: without forces θ has no effect on \
-        the energy, and under gravity E − (θ−½) m g h v is conserved exactly across flights and impacts, so E only oscillates by O(h). A \
-        satellite loses energy, but by falling to a lower and faster orbit.",
-    argument: "Elastic ball, θ = 1, dropped from 1/2 m, 500 steps of h = 1/100 s and eight bounces in rationals: the invariant takes one \
-        value, for the activation rules A, B and D (A: φ ≤ 0, B: φ + ½hu ≤ 0, D: φ + h u_free ≤ 0). Three equal balls with e = 1: one \
-        value of the kinetic energy through two collisions. Satellite from a circular orbit of radius 1, speed 1, 250 steps of h = 1/50 by \
-        backward Euler: energy falls by 0.173, the radius shrinks to 0.74 and the speed grows to 1.17. Oscillator with ω \
-        = 1: E falls by the factor (1 + h²)^{-N}.",
+    correct_statement: r"True for the pendulum and other oscillators. Elastic collisions do not run down: without forces $\theta$ has no
+        effect on the energy, and under gravity $E - (\theta - \tfrac12)\,m\,g\,h\,v$ is conserved exactly across flights and impacts, so
+        $E$ only oscillates by $O(h)$. A satellite loses energy, but by falling to a lower and faster orbit.",
+    argument: r"Elastic ball, $\theta = 1$, dropped from 1/2 m, 500 steps of $h = 1/100$ s and eight bounces in rationals: the invariant
+        takes one value, for the activation rules A, B and D (A: $\varphi \le 0$, B: $\varphi + \tfrac12hu \le 0$, D:
+        $\varphi + h\,u_\text{free} \le 0$). Three equal balls with $e = 1$: one value of the kinetic energy through two collisions.
+        Satellite from a circular orbit of radius 1, speed 1, 250 steps of $h = 1/50$ by backward Euler: energy falls by 0.173, the radius
+        shrinks to 0.74 and the speed grows to 1.17. Oscillator with $\omega = 1$: $E$ falls by the factor $(1 + h^2)^{-N}$.",
     controls: &[
-        "e = 1/2 for the ball and the chain, and a spring in place of the satellite's gravity: these run down.",
-        "Forward Euler, θ = 0, for the oscillator and the satellite.",
+        r"$e = 1/2$ for the ball and the chain, and a spring in place of the satellite's gravity: these run down.",
+        r"Forward Euler, $\theta = 0$, for the oscillator and the satellite.",
     ],
     sources: &["chapter §3, common pitfalls (“the larger θ the better”)"],
     check: check!(runs_down),

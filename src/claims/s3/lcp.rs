@@ -20,26 +20,29 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "True, for symmetric and asymmetric semidefinite matrices; Lemke's method ends on a ray exactly when the LCP is \
             infeasible. On Gauss–Seidel see S3.pgs-ok.",
-        argument: "zᵀ(Mz + q) is a convex quadratic bounded below on the feasible set, so it attains its minimum, and the optimality \
-            conditions make the minimum 0. Here: three semidefinite matrices (singular, singular with a skew part, skew) and all q from \
-            {−3, …, 3}²: every feasible one solved, every infeasible one a ray.",
-        controls: &["The indefinite matrix [[−1, 1], [0, 1]], for which q = (−1, 0) is feasible and unsolvable."],
+        argument: r"$z^T(Mz + q)$ is a convex quadratic bounded below on the feasible set, so it attains its minimum, and the optimality
+            conditions make the minimum 0. Here: three semidefinite matrices (singular, singular with a skew part, skew) and all $q$ from
+            $\{-3, \ldots, 3\}^2$: every feasible one solved, every infeasible one a ray.",
+        controls: &[
+            r"The indefinite matrix $\begin{bmatrix}-1 & 1 \\ 0 & 1\end{bmatrix}$, for which $q = (-1, 0)$ is feasible and unsolvable.",
+        ],
         sources: &["chapter §3, step 5", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.1"],
         check: check!(semidefinite),
     },
     Claim {
         id: "S3.normal-solvable",
-        statement: "W ⪰ 0 guarantees that the normal LCP of every Moreau–Jean step is solvable.",
+        statement: r"$W \succeq 0$ guarantees that the normal LCP of every Moreau–Jean step is solvable.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, with one coefficient e for all contacts, as the chapter writes it: semidefinite is half of it, \
-            feasibility the other half, and with one e the LCP is feasible with any redundancy. With different eᵢ it need not be.",
-        argument: "Infeasible iff some y ≥ 0 has Hᵀy = 0 and yᵀ diag(e) H v < 0 (Farkas). With one e the second is e(Hᵀy)ᵀv = 0. Unit \
-            point between two walls moving at 1 into the first: W = [[1, −1], [−1, 1]], U⁻ = (−1, 1), e = (1, 0): q = (−2, 1), and the \
-            rows add up to 0 ≥ 1. With e = (1/2, 1/2) it is feasible and solvable.",
-        controls: &["The same step with e = (1, 0)."],
+        correct_statement: r"As stated, with one coefficient $e$ for all contacts, as the chapter writes it: semidefinite is half of it,
+            feasibility the other half, and with one $e$ the LCP is feasible with any redundancy. With different $e_i$ it need not be.",
+        argument: r"Infeasible iff some $y \ge 0$ has $H^Ty = 0$ and $y^T \operatorname{diag}(e)\,H\,v < 0$ (Farkas). With one $e$ the
+            second is $e(H^Ty)^Tv = 0$. Unit point between two walls moving at 1 into the first:
+            $W = \begin{bmatrix}1 & -1 \\ -1 & 1\end{bmatrix}$, $U^- = (-1, 1)$, $e = (1, 0)$: $q = (-2, 1)$, and the rows add up to
+            $0 \ge 1$. With $e = (1/2, 1/2)$ it is feasible and solvable.",
+        controls: &[r"The same step with $e = (1, 0)$."],
         sources: &["chapter §3, step 5"],
         check: check!(normal_lcp),
     },
@@ -50,42 +53,46 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::WrongReason),
         evidence: Evidence::Exact,
-        correct_statement: "With friction the matrix is not copositive-plus; solvability follows from copositivity together with bᵀλ ≥ 0 \
-            on the homogeneous solutions (see S4.copos-plus, on which this depends).",
-        argument: "Neither the chapter's contact with μ = 1/2 (witness x = (0, 0, 0, 1)) nor the wedge of two contacts with μ = 1 is \
-            copositive-plus; yet Lemke solves both with gaps 0.",
-        controls: &["Both without friction: their matrices are copositive-plus.", "The friction row with the sign of μ wrong."],
+        correct_statement: r"With friction the matrix is not copositive-plus; solvability follows from copositivity together with
+            $b^T\lambda \ge 0$ on the homogeneous solutions (see S4.copos-plus, on which this depends).",
+        argument: r"Neither the chapter's contact with $\mu = 1/2$ (witness $x = (0, 0, 0, 1)$) nor the wedge of two contacts with
+            $\mu = 1$ is copositive-plus; yet Lemke solves both with gaps 0.",
+        controls: &["Both without friction: their matrices are copositive-plus.", r"The friction row with the sign of $\mu$ wrong."],
         sources: &["chapter §3, step 5, parenthesis", "chapter §4, theorem on M_LCP"],
         check: check!(friction_block),
     },
     Claim {
         id: "S3.qp-equiv",
-        statement: "The LCP 0 ≤ P ⟂ WP + U_free ≥ 0 is the optimality condition of min ½PᵀWP + U_freeᵀP, P ≥ 0.",
+        statement: r"The LCP $0 \le P \perp WP + U_\text{free} \ge 0$ is the optimality condition of min
+            $\tfrac12P^TWP + U_\text{free}^TP$, $P \ge 0$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "True because W is symmetric and positive semidefinite.",
-        argument: "The gradient of the objective is ½(W + Wᵀ)P + U_free, which is WP + U_free only for symmetric W. For W = [[2, 1], [1, \
-            2]] and U_free = (−3, −1) the LCP gives P = (3/2, 0) and the conditions of the program hold there. For the asymmetric [[2, 1], \
-            [−1, 2]] the LCP gives (1, 1), where the gradient is (−1, 1).",
-        controls: &["The asymmetric matrix [[2, 1], [−1, 2]]."],
+        correct_statement: r"True because $W$ is symmetric and positive semidefinite.",
+        argument: r"The gradient of the objective is $\tfrac12(W + W^T)P + U_\text{free}$, which is $WP + U_\text{free}$ only for
+            symmetric $W$. For $W = \begin{bmatrix}2 & 1 \\ 1 & 2\end{bmatrix}$ and $U_\text{free} = (-3, -1)$ the LCP gives
+            $P = (3/2, 0)$ and the conditions of the program hold there. For the asymmetric $\begin{bmatrix}2 & 1 \\ -1 & 2\end{bmatrix}$
+            the LCP gives $(1, 1)$, where the gradient is $(-1, 1)$.",
+        controls: &[r"The asymmetric matrix $\begin{bmatrix}2 & 1 \\ -1 & 2\end{bmatrix}$."],
         sources: &["chapter §3, the LCP as a quadratic program"],
         check: check!(quadratic_program),
     },
     Claim {
         id: "S3.projection",
-        statement: "The LCP is equivalent to a projection: P projects the “unconstrained solution” of the free velocity onto the feasible \
-            cone; more precisely, it is the solution of the convex QP below.",
+        statement: r"The LCP is equivalent to a projection: $P$ projects the “unconstrained solution” of the free velocity onto the
+            feasible cone; more precisely, it is the solution of the convex QP below.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: the quadratic program is the projection in the metric of W, where W ≻ 0 (otherwise there may be no \
-            unconstrained solution, and the program remains). The Euclidean projection is wrong as soon as W couples contacts.",
-        argument: "W = [[2, 1], [1, 2]], unconstrained P₀ = (1, −1), so U_free = (−1, 1). Minimising (P − P₀)ᵀW(P − P₀) over P ≥ 0 gives \
-            (1/2, 0), the solution of the LCP; clipping gives (1, 0), where WP + U_free = (1, 2) is not complementary.",
-        controls: &["The Euclidean projection in place of that in the metric of W."],
+        correct_statement: r"As stated: the quadratic program is the projection in the metric of $W$, where $W \succ 0$ (otherwise there
+            may be no unconstrained solution, and the program remains). The Euclidean projection is wrong as soon as $W$ couples
+            contacts.",
+        argument: r"$W = \begin{bmatrix}2 & 1 \\ 1 & 2\end{bmatrix}$, unconstrained $P_0 = (1, -1)$, so $U_\text{free} = (-1, 1)$.
+            Minimising $(P - P_0)^TW(P - P_0)$ over $P \ge 0$ gives $(1/2, 0)$, the solution of the LCP; clipping gives $(1, 0)$, where
+            $WP + U_\text{free} = (1, 2)$ is not complementary.",
+        controls: &[r"The Euclidean projection in place of that in the metric of $W$."],
         sources: &["chapter §3, the LCP as a quadratic program"],
         check: check!(projection),
     },

@@ -14,18 +14,18 @@ use crate::trajectory::order::{OrderEstimate, Refinement, fit_order};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.theta-order",
-        statement: "As rules for ordinary differential equations, θ = 1/2 is the second-order trapezoidal rule and θ = 1 is backward \
-            Euler.",
+        statement: r"As rules for ordinary differential equations, $\theta = 1/2$ is the second-order trapezoidal rule and $\theta = 1$ is
+            backward Euler.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Measured,
-        correct_statement: "As stated: orders 2 and 1 while the motion is smooth. Through an impact every θ has order 1 in the position \
-            (S3.table-2nd-order).",
-        argument: "q̈ = −q to t = 2: the one-step factor is R = (1 + (1−θ)z)/(1 − θz) = 1 + z + θz² + …, z = ±ih, so the order is 2 iff θ \
-            = 1/2. The fitted slopes are those of C hᵖ(1 + O(h)) on these steps.",
+        correct_statement: r"As stated: orders 2 and 1 while the motion is smooth. Through an impact every $\theta$ has order 1 in the
+            position (S3.table-2nd-order).",
+        argument: r"$\ddot q = -q$ to $t = 2$: the one-step factor is $R = (1 + (1 - \theta)z)/(1 - \theta z) = 1 + z + \theta z^2 +$ …,
+            $z = \pm ih$, so the order is 2 iff $\theta = 1/2$. The fitted slopes are those of $C\,h^p(1 + O(h))$ on these steps.",
         controls: &[
-            "The same oscillator with an elastic stop at q = 0, hit at t = π/2, for θ = 1/2.",
+            r"The same oscillator with an elastic stop at $q = 0$, hit at $t = \pi/2$, for $\theta = 1/2$.",
             "The trapezoidal rule in place of backward Euler.",
         ],
         sources: &["chapter §3, history and step 2", "Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I"],
@@ -33,36 +33,38 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S3.table-2nd-order",
-        statement: "Table, overall behaviour of θ = 1/2: second order and energy neutral; for elastic collisions and long conservative \
-            motions.",
+        statement: r"Table, overall behaviour of $\theta = 1/2$: second order and energy neutral; for elastic collisions and long
+            conservative motions.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Certified,
-        correct_statement: "θ = 1/2 is energy neutral for constant and linear forces; its order is 2 on smooth pieces and 1 through \
-            impacts, like that of every θ.",
-        argument: "Elastic ball, activation φ ≤ 0, θ = 1/2: a step that starts δ ∈ [0, h) after the true impact turns v into −v without \
-            moving, so the ball goes on exactly, but late by h + 2δ. With v* = √(2 g q₀) the position error is at least v*h − (3/2) g h² \
-            and at most 3 v*h + g h². For g = 9.81 m/s², q₀ = 1 m and 64, 256 and 1024 steps the fitted order is one within the interval \
-            that these bounds leave, which two lies outside of. Gravity and springs: the energy is exactly neutral.",
-        controls: &["The oscillator of S3.theta-order, without a stop.", "θ = 1 under gravity and springs."],
+        correct_statement: r"$\theta = 1/2$ is energy neutral for constant and linear forces; its order is 2 on smooth pieces and 1
+            through impacts, like that of every $\theta$.",
+        argument: r"Elastic ball, activation $\varphi \le 0$, $\theta = 1/2$: a step that starts $\delta \in [0, h)$ after the true impact
+            turns $v$ into $-v$ without moving, so the ball goes on exactly, but late by $h + 2\delta$. With $v^* = \sqrt{2\,g\,q_0}$ the
+            position error is at least $v$*$h - (3/2)\,g\,h^2$ and at most $3\,v$*$h + g\,h^2$. For $g = 9.81$ m/s², $q_0 = 1$ m and 64,
+            256 and 1024 steps the fitted order is one within the interval that these bounds leave, which two lies outside of. Gravity and
+            springs: the energy is exactly neutral.",
+        controls: &["The oscillator of S3.theta-order, without a stop.", r"$\theta = 1$ under gravity and springs."],
         sources: &["chapter §3, table of θ"],
         check: check!(order_through_an_impact),
     },
     Claim {
         id: "S3.symplectic-like",
-        statement: "θ = 1/2 behaves like a symplectic integrator: no long-term drift of the energy.",
+        statement: r"$\theta = 1/2$ behaves like a symplectic integrator: no long-term drift of the energy.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated, for smooth motions: on linear systems the θ = 1/2 step preserves area; on nonlinear ones it does \
-            not, but it is conjugate to the midpoint rule, which does, and so behaves like it.",
-        argument: "The step is (I − hf/2)⁻¹∘(I + hf/2), so its Jacobian determinant is (1 + h²V''(q)/4)/(1 + h²V''(q⁺)/4) for q̈ = −V'(q): \
-            exactly 1 for the oscillator, 1.00016 for the pendulum at (1.3, 0.7), h = 0.1. Conjugating with half a step swaps the factors \
-            and gives the midpoint rule, of determinant 1. Pendulum, h = 0.1, 200 times 100 steps: the largest |E − E₀| of the last 100 is \
-            that of the first 100, which take it to and fro.",
-        controls: &["θ = 1."],
+        correct_statement: r"As stated, for smooth motions: on linear systems the $\theta = 1/2$ step preserves area; on nonlinear ones it
+            does not, but it is conjugate to the midpoint rule, which does, and so behaves like it.",
+        argument: r"The step is $(I - hf/2)^{-1} \circ (I + hf/2)$, so its Jacobian determinant is
+            ($1 + h^2V$''(q)/4)/($1 + h^2V$''($q^+$)/4) for $\ddot q = -V$'(q): exactly 1 for the oscillator, 1.00016 for the pendulum at
+            $(1.3, 0.7)$, $h = 0.1$. Conjugating with half a step swaps the factors and gives the midpoint rule, of determinant 1.
+            Pendulum, $h = 0.1$, 200 times 100 steps: the largest $|E - E_0|$ of the last 100 is that of the first 100, which take it to
+            and fro.",
+        controls: &[r"$\theta = 1$."],
         sources: &["chapter §3, essential insight on θ", "Hairer, Lubich, Wanner, Geometric Numerical Integration, VI.8"],
         check: check!(area),
     },

@@ -7,8 +7,9 @@ use crate::claims::prelude::*;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.siconos-path",
-        statement: "Siconos's MoreauJeanOSI implements the θ-scheme fully, in kernel/src/simulationTools/MoreauJeanOSI.cpp; against drift \
-            there is a position projection such as CombinedProjectedMoreauJeanOSI (§ on sources: files may move from version to version).",
+        statement: r"Siconos's MoreauJeanOSI implements the $\theta$-scheme fully, in kernel/src/simulationTools/MoreauJeanOSI.cpp;
+            against drift there is a position projection such as CombinedProjectedMoreauJeanOSI (§ on sources: files may move from version
+            to version).",
         verdict: ClaimVerdict::False,
         kind: Kind::Path,
         severity: Some(Severity::Misprint),

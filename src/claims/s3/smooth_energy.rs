@@ -16,65 +16,70 @@ use num_traits::Zero;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.energy-half",
-        statement: "θ = 1/2, no contact: ΔE_kin = h v_{1/2}ᵀF, exactly the work of the force.",
+        statement: r"$\theta = 1/2$, no contact: $\Delta E_\text{kin} = h\,v_{1/2}^TF$, exactly the work of the force.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated; with the mean velocity ½(v⁺ + v) and the scheme's own force F_θ the identity holds for every θ.",
-        argument: "ΔT = ½(v⁺ + v)ᵀM(v⁺ − v) = ½(v⁺ + v)ᵀ h F_θ, and v_{1/2} = ½(v⁺ + v). Residual zero in rationals for two coupled masses \
-            on springs under a constant force, θ = 0, 1/4, 1/2, 1.",
-        controls: &["v_θ at θ = 1 in place of v_{1/2}."],
+        correct_statement: r"As stated; with the mean velocity $\tfrac12(v^+ + v)$ and the scheme's own force $F_\theta$ the identity
+            holds for every $\theta$.",
+        argument: r"$\Delta T = \tfrac12(v^+ + v)^TM(v^+ - v) = \tfrac12(v^+ + v)^T\,h\,F_\theta$, and $v_{1/2} = \tfrac12(v^+ + v)$.
+            Residual zero in rationals for two coupled masses on springs under a constant force, $\theta = 0$, 1/4, 1/2, 1.",
+        controls: &[r"$v_\theta$ at $\theta = 1$ in place of $v_{1/2}$."],
         sources: &["chapter §3, energy estimate, and exercise 2"],
         check: check!(work_of_the_force),
     },
     Claim {
         id: "S3.energy-neutral",
-        statement: "θ = 1/2: ΔE_kin = h v_{1/2}ᵀF, exactly the work of the force, hence energy neutral (no numerical dissipation, no \
-            injection), the analogue of the discrete conservation of energy of symplectic and symmetric integrators.",
+        statement: r"$\theta = 1/2$: $\Delta E_\text{kin} = h\,v_{1/2}^TF$, exactly the work of the force, hence energy neutral (no
+            numerical dissipation, no injection), the analogue of the discrete conservation of energy of symplectic and symmetric
+            integrators.",
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "The kinetic energy changes by the work of the scheme's force. Kinetic plus potential energy is conserved \
-            exactly for constant and linear forces only; for a nonlinear force the error per step is O(h³), of either sign.",
-        argument: "“Neutral” as the name of the printed identity: its residual is zero in rationals for two coupled masses. “Neutral” of \
-            kinetic plus potential energy: for gravity and springs the change is exactly 0 over 100 steps; for the pendulum the \
-            trapezoidal rule changes E by the error of trapezoidal quadrature, (q⁺ − q)³ sin(ξ)/12 with ξ between q and q⁺: from (1.3, \
-            0.7) 2.2e-5, 3.1e-6, 4.1e-7 at h = 0.1, 0.05, 0.025 – small, and not zero.",
-        controls: &["A spring in place of the pendulum.", "θ = 1."],
+        correct_statement: r"The kinetic energy changes by the work of the scheme's force. Kinetic plus potential energy is conserved
+            exactly for constant and linear forces only; for a nonlinear force the error per step is $O(h^3)$, of either sign.",
+        argument: r"“Neutral” as the name of the printed identity: its residual is zero in rationals for two coupled masses. “Neutral” of
+            kinetic plus potential energy: for gravity and springs the change is exactly 0 over 100 steps; for the pendulum the
+            trapezoidal rule changes $E$ by the error of trapezoidal quadrature, $(q^+ - q)^3 \sin(\xi)/12$ with $\xi$ between $q$ and
+            $q^+$: from $(1.3, 0.7)$ 2.2e-5, 3.1e-6, 4.1e-7 at $h = 0.1$, 0.05, 0.025 – small, and not zero.",
+        controls: &["A spring in place of the pendulum.", r"$\theta = 1$."],
         sources: &["chapter §3, energy estimate and table of θ"],
         check: check!(neutral),
     },
     Claim {
         id: "S3.energy-one",
-        statement: "θ = 1 adds −(h²/2)‖F‖²_{M⁻¹} < 0 to the work h v_θ·F in the change of the kinetic energy in one step: numerical \
-            dissipation O(h²).",
+        statement: r"$\theta = 1$ adds $-(h^2/2)\|F\|_{M^{-1}}^2 < 0$ to the work $h\,v_\theta\cdot F$ in the change of the kinetic energy
+            in one step: numerical dissipation $O(h^2)$.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "The identity holds for every force: ΔT = h v⁺·F − ½h²FᵀM⁻¹F. It is a dissipation of total energy where the \
-            potential is convex, per step, so O(h) over a fixed time; where it is concave θ = 1 gains energy.",
-        argument: "ΔT = h·½(v⁺ + v)·F and ½(v⁺ + v) = v⁺ − ½hM⁻¹F. In rationals for a fall, a spring and two coupled masses. Free fall \
-            of 1 kg for 1 s at h = 1/1000 s loses ½ m g² h T = (981/100)²/2000 = 0.04811805 J exactly. A spring with hω = 1/2 keeps 4/5 \
-            of its energy in a step. On the hill q̈ = q, E = ½v² − ½q², a step of h = 1/2 from q = 0 at v = 1 gains 1/6 J.",
-        controls: &["θ = 1/2, whose term is zero."],
+        correct_statement: r"The identity holds for every force: $\Delta T = h\,v^+\cdot F - \tfrac12h^2F^TM^{-1}F$. It is a dissipation
+            of total energy where the potential is convex, per step, so $O(h)$ over a fixed time; where it is concave $\theta = 1$ gains
+            energy.",
+        argument: r"$\Delta T = h\cdot\tfrac12(v^+ + v)\cdot F$ and $\tfrac12(v^+ + v) = v^+ - \tfrac12hM^{-1}F$. In rationals for a fall,
+            a spring and two coupled masses. Free fall of 1 kg for 1 s at $h = 1/1000$ s loses
+            $\tfrac12\,m\,g^2\,h\,T = (981/100)^2/2000 = 0.04811805$ J exactly. A spring with $h\omega = 1/2$ keeps 4/5 of its energy in a
+            step. On the hill $\ddot q = q$, $E = \tfrac12v^2 - \tfrac12q^2$, a step of $h = 1/2$ from $q = 0$ at $v = 1$ gains 1/6 J.",
+        controls: &[r"$\theta = 1/2$, whose term is zero."],
         sources: &["chapter §3, energy estimate, and exercise 2"],
         check: check!(backward_euler),
     },
     Claim {
         id: "S3.theta-mid",
-        statement: "Table, smooth phase, θ in (1/2, 1): intermediate dissipation.",
+        statement: r"Table, smooth phase, $\theta$ in $(1/2, 1)$: intermediate dissipation.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "The loss carries the factor 2θ − 1 between 0 at θ = 1/2 and 1 at θ = 1, for a constant force; a spring loses a \
-            fraction that grows with θ. Where the potential is concave every θ > 1/2 gains energy.",
-        argument: "Free fall: loss at θ = 3/4 over loss at θ = 1 is exactly 1/2. Spring with hω = 1/2: E⁺/E = 65/73 at 3/4, between 1 and \
-            4/5. On the hill q̈ = q, E = ½v² − ½q², a step of h = 1/2 with θ = 3/4 from q = 0 at v = 1 gains 4/55 J.",
-        controls: &["θ = 1/4, outside the interval: it gains energy."],
+        correct_statement: r"The loss carries the factor $2\theta - 1$ between 0 at $\theta = 1/2$ and 1 at $\theta = 1$, for a constant
+            force; a spring loses a fraction that grows with $\theta$. Where the potential is concave every $\theta > 1/2$ gains energy.",
+        argument: r"Free fall: loss at $\theta = 3/4$ over loss at $\theta = 1$ is exactly 1/2. Spring with $h\omega = 1/2$:
+            $E^+/E = 65/73$ at 3/4, between 1 and 4/5. On the hill $\ddot q = q$, $E = \tfrac12v^2 - \tfrac12q^2$, a step of $h = 1/2$
+            with $\theta = 3/4$ from $q = 0$ at $v = 1$ gains 4/55 J.",
+        controls: &[r"$\theta = 1/4$, outside the interval: it gains energy."],
         sources: &["chapter §3, table of θ"],
         check: check!(between),
     },

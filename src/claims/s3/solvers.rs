@@ -18,12 +18,13 @@ pub(super) const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "Projected Gauss–Seidel needs W_ii > 0. For singular W it converges to a solution that depends on the start; WP \
-            is the same for all of them.",
-        argument: "A table on four legs, H = (1, ±1, ±1), unit masses, u_free = −1: from P = 0 and from P = (1/4, 0, 0, 1/4) it ends at \
-            impulses further apart than its accuracy, while W P = (1, 1, 1, 1) from both, to the accuracy that the two residuals imply \
-            for a convex problem. With a fifth contact that moves nothing, W_ii = 0 and u_i = 0, the problem is semidefinite and \
-            solvable: Lemke’s method solves it, projected Gauss–Seidel, which divides by W_ii, refuses it.",
+        correct_statement: r"Projected Gauss–Seidel needs $W_{ii} > 0$. For singular $W$ it converges to a solution that depends on the
+            start; $WP$ is the same for all of them.",
+        argument: r"A table on four legs, $H = (1, \pm1, \pm1)$, unit masses, $u_\text{free} = -1$: from $P = 0$ and from
+            $P = (1/4, 0, 0, 1/4)$ it ends at impulses further apart than its accuracy, while $W\,P = (1, 1, 1, 1)$ from both, to the
+            accuracy that the two residuals imply for a convex problem. With a fifth contact that moves nothing, $W_{ii} = 0$ and
+            $u_i = 0$, the problem is semidefinite and solvable: Lemke’s method solves it, projected Gauss–Seidel, which divides by
+            $W_{ii}$, refuses it.",
         controls: &[
             "The table without the fifth contact.",
             "A single sweep of Gauss–Seidel.",
@@ -40,45 +41,48 @@ pub(super) const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "e_λ(x) = min over y ∈ C of ‖x − y‖²/(2λ) = dist(x, C)²/(2λ) ≤ ι_C(x); it is C¹ with gradient (x − P_C(x))/λ, \
-            piecewise quadratic, and the minimising y is P_C(x).",
-        argument: "For C = [0, ∞): e_λ(x) = min(x, 0)²/(2λ). At rational points with λ = 1/3: no y of a grid on C is nearer than P(x) = \
-            max(x, 0), e_λ = 0 on C, where the indicator is 0, and the derivative is min(x, 0)/λ, continuous through 0. \
-            It is quadratic on either side of 0, not globally: x²/(2λ) would exceed the indicator on C.",
-        controls: &["The global quadratic x²/(2λ) in place of the envelope.", "The apex of the cone in place of the projection."],
+        correct_statement: r"$e_\lambda(x)$ = min over $y \in C$ of $\|x - y\|^2/(2\lambda) = \operatorname{dist}(x, C)^2/(2\lambda) \le
+            \iota_C(x)$; it is $C^1$ with gradient $(x - P_C(x))/\lambda$, piecewise quadratic, and the minimising $y$ is $P_C(x)$.",
+        argument: r"For $C = [0, \infty)$: $e_\lambda(x) = \min(x, 0)^2/(2\lambda)$. At rational points with $\lambda = 1/3$: no $y$ of a
+            grid on $C$ is nearer than $P(x) = \max(x, 0)$, $e_\lambda = 0$ on $C$, where the indicator is 0, and the derivative is
+            $\min(x, 0)/\lambda$, continuous through 0. It is quadratic on either side of 0, not globally: $x^2/(2\lambda)$ would exceed
+            the indicator on $C$.",
+        controls: &[r"The global quadratic $x^2/(2\lambda)$ in place of the envelope.", "The apex of the cone in place of the projection."],
         sources: &["chapter §3, LCP as projection", "Moreau (1965)"],
         check: check!(envelope),
     },
     Claim {
         id: "S3.prox-cond",
-        statement: "The proximal term ½ρ‖P − Pᵏ‖² adds ρI to W and so improves the condition number of an ill-conditioned Delassus \
-            operator.",
+        statement: r"The proximal term $\tfrac12\rho\|P - P^k\|^2$ adds $\rho I$ to $W$ and so improves the condition number of an
+            ill-conditioned Delassus operator.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "cond(W + ρI) = (λ_max + ρ)/(λ_min + ρ), which decreases with ρ ≥ 0 (strictly unless all eigenvalues are \
-            equal).",
-        argument: "The derivative in ρ is (λ_min − λ_max)/(λ_min + ρ)² ≤ 0. Two nearly parallel contacts, W = (1, 0.999; 0.999, 1) with \
-            eigenvalues 1.999 and 0.001: the condition number is 1999, 183, 20.8 and 3.0 for ρ = 0, 0.01, 0.1 and 1.",
-        controls: &["A scaling (1 + ρ)W in place of the shift, which leaves the condition number as it is."],
+        correct_statement: r"$\operatorname{cond}(W + \rho I) = (\lambda_\text{max} + \rho)/(\lambda_\text{min} + \rho)$, which decreases with
+            $\rho \ge 0$ (strictly unless all eigenvalues are equal).",
+        argument: r"The derivative in $\rho$ is $(\lambda_\text{min} - \lambda_\text{max})/(\lambda_\text{min} + \rho)^2 \le 0$. Two
+            nearly parallel contacts, $W = (1, 0.999; 0.999, 1)$ with eigenvalues 1.999 and 0.001: the condition number is 1999, 183, 20.8
+            and 3.0 for $\rho = 0$, 0.01, 0.1 and 1.",
+        controls: &[r"A scaling $(1 + \rho)W$ in place of the shift, which leaves the condition number as it is."],
         sources: &["chapter §3, proximal view of ADMM"],
         check: check!(conditioning),
     },
     Claim {
         id: "S3.R-is-MY",
-        statement: "MuJoCo’s regularisation R is in essence a Moreau–Yosida smoothing of fixed strength.",
+        statement: r"MuJoCo’s regularisation $R$ is in essence a Moreau–Yosida smoothing of fixed strength.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: R replaces the constraint u ≥ 0 by its Moreau envelope of strength R, min(u, 0)²/(2R), for good. \
-            A proximal term has the same strength and is centred at the previous iterate: it vanishes at the fixed point, which is the \
-            unregularised answer.",
-        argument: "One contact, W = 1/1000, u_free = −1, R = 1: with R the impulse is 1/(W + R). The velocity u that it \
-            leaves minimises (u − u_free)²/(2W) + min(u, 0)²/(2R) against the points of a grid, and the impulse is minus the slope of \
-            the envelope there; so for three values of R. The proximal iteration P ← (1 + ρP)/(W + ρ), ρ = 1, has the fixed point 1000.",
-        controls: &["The hard contact, R = 0, held against the envelope."],
+        correct_statement: r"As stated: $R$ replaces the constraint $u \ge 0$ by its Moreau envelope of strength $R$, $\min(u, 0)^2/(2R)$,
+            for good. A proximal term has the same strength and is centred at the previous iterate: it vanishes at the fixed point, which
+            is the unregularised answer.",
+        argument: r"One contact, $W = 1/1000$, $u_\text{free} = -1$, $R = 1$: with $R$ the impulse is $1/(W + R)$. The velocity $u$ that
+            it leaves minimises $(u - u_\text{free})^2/(2W) + \min(u, 0)^2/(2R)$ against the points of a grid, and the impulse is minus
+            the slope of the envelope there; so for three values of $R$. The proximal iteration $P \leftarrow (1 + \rho P)/(W + \rho)$,
+            $\rho = 1$, has the fixed point 1000.",
+        controls: &[r"The hard contact, $R = 0$, held against the envelope."],
         sources: &["chapter §3, closing insight", "elementary"],
         check: check!(two_centres),
     },

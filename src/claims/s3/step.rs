@@ -14,82 +14,87 @@ use num_traits::{One, Zero};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.explicit-bad",
-        statement: "Naive explicit Euler: with q⁺ = q + h v and the old velocity v, the contact force acts too late and the body has \
-            already penetrated.",
+        statement: r"Naive explicit Euler: with $q^+ = q + h\,v$ and the old velocity $v$, the contact force acts too late and the body
+            has already penetrated.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "With θ = 0 the impulse of a step cannot change the position at its end; penetration follows whenever q + h v < \
-            0.",
-        argument: "q = 1/100 m, v = −2 m/s, h = 1/50 s: q⁺ = q + h v = −3/100 m although the step's impulse r = 2 N·s stops the ball \
-            (v⁺ = 0). With θ = 1 the same impulse gives q⁺ = 1/100 m.",
-        controls: &["The same step with the new velocity, θ = 1.", "Activation by φ ≤ 0, with which no impulse acts in this step."],
+        correct_statement: r"With $\theta = 0$ the impulse of a step cannot change the position at its end; penetration follows whenever
+            $q + h\,v < 0$.",
+        argument: r"$q = 1/100$ m, $v = -2$ m/s, $h = 1/50$ s: $q^+ = q + h\,v = -3/100$ m although the step's impulse $r = 2$ N·s stops
+            the ball ($v^+ = 0$). With $\theta = 1$ the same impulse gives $q^+ = 1/100$ m.",
+        controls: &[
+            r"The same step with the new velocity, $\theta = 1$.",
+            r"Activation by $\varphi \le 0$, with which no impulse acts in this step.",
+        ],
         sources: &["chapter §3, “what goes wrong with a naive discretisation”"],
         check: check!(explicit_position),
     },
     Claim {
         id: "S3.mj-condition",
-        statement: "At every active contact 0 ≤ U = H(v⁺ + e v) ⟂ P ≥ 0.",
+        statement: r"At every active contact $0 \le U = H(v^+ + e\,v) \perp P \ge 0$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Definition,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "This is the definition of the scheme's contact law; U⁺ = H v⁺ itself need not be complementary to P.",
-        argument: "Three balls of 1, 2 and 4 kg in line at velocities 3, 0, −1 m/s, both contacts closed, e = 1/2: Lemke in rationals \
-            gives P, and U = H(v⁺ + e v) is zero where P > 0.",
-        controls: &["Restitution on the wrong side, the complementarity of H(v⁺ − e v).", "Balls that part."],
+        correct_statement: r"This is the definition of the scheme's contact law; $U^+ = H\,v^+$ itself need not be complementary to $P$.",
+        argument: r"Three balls of 1, 2 and 4 kg in line at velocities 3, 0, −1 m/s, both contacts closed, $e = 1/2$: Lemke in rationals
+            gives $P$, and $U = H(v^+ + e\,v)$ is zero where $P > 0$.",
+        controls: &[r"Restitution on the wrong side, the complementarity of $H(v^+ - e\,v)$.", "Balls that part."],
         sources: &["chapter §3, step 3 of the θ scheme"],
         check: check!(complementarity),
     },
     Claim {
         id: "S3.newton-embedded",
-        statement: "The argument v⁺ + e v embeds Newton's impact law v⁺ = −e v⁻.",
+        statement: r"The argument $v^+ + e\,v$ embeds Newton's impact law $v^+ = -e\,v^-$.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "U_n⁺ = −e U_n holds exactly at contacts with P > 0, and U_n is the velocity at the start of the step, which \
-            differs from the velocity at the impact by at most g h in free fall. At a contact with P = 0 the law is the inequality U_n⁺ ≥ \
-            −e U_n.",
-        argument: "e = 1/2, h = 1/100 s, q = 1/200 m, v = −1 m/s: v⁺ = 1/2 exactly, while the ball reaches the floor faster than it \
-            started, so that v⁺ differs from e times that by 0.024 ≤ e g h = 0.049 m/s. A rod of unit mass and inertia on two supports ½ \
-            and 1 m from its centre, on one side, W = [[5/4, 3/2], [3/2, 2]], approaches them at 1 and 1/10 m/s: the first impulse lifts \
-            the second support, which takes no impulse and leaves with 17/10 m/s, not with e times its approach.",
-        controls: &["The rod that approaches both at 1 and 5/4 m/s, where both impulses act.", "The argument v⁺, without e v."],
+        correct_statement: r"$U_n^+ = -e\,U_n$ holds exactly at contacts with $P > 0$, and $U_n$ is the velocity at the start of the step,
+            which differs from the velocity at the impact by at most $g\,h$ in free fall. At a contact with $P = 0$ the law is the
+            inequality $U_n^+ \ge -e\,U_n$.",
+        argument: r"$e = 1/2$, $h = 1/100$ s, $q = 1/200$ m, $v = -1$ m/s: $v^+ = 1/2$ exactly, while the ball reaches the floor faster
+            than it started, so that $v^+$ differs from $e$ times that by $0.024 \le e\,g\,h = 0.049$ m/s. A rod of unit mass and inertia
+            on two supports ½ and 1 m from its centre, on one side, $W = \begin{bmatrix}5/4 & 3/2 \\ 3/2 & 2\end{bmatrix}$, approaches
+            them at 1 and 1/10 m/s: the first impulse lifts the second support, which takes no impulse and leaves with 17/10 m/s, not with
+            $e$ times its approach.",
+        controls: &["The rod that approaches both at 1 and 5/4 m/s, where both impulses act.", r"The argument $v^+$, without $e\,v$."],
         sources: &["chapter §3, step 3 of the θ scheme"],
         check: check!(newton_law),
     },
     Claim {
         id: "S3.ufree",
-        statement: "Step 4: solve for v⁺ (F explicit or linearised for the moment), with v_free the velocity of this step without \
-            contact, and insert it into U = H(v⁺ + e v): an LCP in P with W = H M⁻¹Hᵀ (the formulas of v_free and U_free are not legible \
-            in the source; exercise 1 asks for U_free).",
+        statement: r"Step 4: solve for $v^+$ ($F$ explicit or linearised for the moment), with $v_\text{free}$ the velocity of this step
+            without contact, and insert it into $U = H(v^+ + e\,v)$: an LCP in $P$ with $W = H\,M^{-1}H^T$ (the formulas of
+            $v_\text{free}$ and $U_\text{free}$ are not legible in the source; exercise 1 asks for $U_\text{free}$).",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "With v_free = v + h M⁻¹F: U = W P + U_free, U_free = H(v_free + e v) = (1+e) H v + h H M⁻¹F, exact for an \
-            explicit force. For a linearised implicit force −Kq − Cv, M is replaced by M̂ = M + hθC + h²θ²K, in W and in v_free alike.",
-        argument: "m = 1 kg, k = 100 N/m, h = 1/10 s, θ = 1/2: a unit impulse changes v⁺ of the implicit step by 1/(1 + h²θ²k) = 4/5 m/s, \
-            not by 1/m = 1 m/s.",
+        correct_statement: r"With $v_\text{free} = v + h\,M^{-1}F$: $U = W\,P + U_\text{free}$, $U_\text{free} = H(v_\text{free} + e\,v) =
+            (1 + e)\,H\,v + h\,H\,M^{-1}F$, exact for an explicit force. For a linearised implicit force $-Kq - Cv$, $M$ is replaced by
+            $\hat M = M + h\theta C + h^2\theta^2K$, in $W$ and in $v_\text{free}$ alike.",
+        argument: r"$m = 1$ kg, $k = 100$ N/m, $h = 1/10$ s, $\theta = 1/2$: a unit impulse changes $v^+$ of the implicit step by
+            $1/(1 + h^2\theta^2k) = 4/5$ m/s, not by $1/m = 1$ m/s.",
         controls: &[
             "The explicit step of the spring in place of the implicit one.",
-            "A ball of 1 kg without restitution in place of one of 2 kg with e = 1/2.",
+            r"A ball of 1 kg without restitution in place of one of 2 kg with $e = 1/2$.",
         ],
         sources: &["chapter §3, step 4 and exercise 1"],
         check: check!(free_velocity),
     },
     Claim {
         id: "S3.P-force",
-        statement: "The unknown P is an impulse in N·s; taking it for a force is off by the factor 1/h.",
+        statement: r"The unknown $P$ is an impulse in N·s; taking it for a force is off by the factor $1/h$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "A resting body has P = m g h; P/h = m g is the force.",
-        argument: "Resting 2 kg block at h = 1/64 and 1/128 s: P halves with h while P/h stays m g = 19.62 N.",
-        controls: &["A block that lands at 1 m/s: its impulse does not halve with h, nor is it m g h."],
+        correct_statement: r"A resting body has $P = m\,g\,h$; $P/h = m\,g$ is the force.",
+        argument: r"Resting 2 kg block at $h = 1/64$ and 1/128 s: $P$ halves with $h$ while $P/h$ stays $m\,g = 19.62$ N.",
+        controls: &[r"A block that lands at 1 m/s: its impulse does not halve with $h$, nor is it $m\,g\,h$."],
         sources: &["chapter §3, common pitfalls"],
         check: check!(impulse_scales_with_the_step),
     },

@@ -12,69 +12,75 @@ use crate::solvers::enumeration::all_solutions;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.cp-def",
-        statement: "N is copositive-plus if (i) x ≥ 0 implies xᵀNx ≥ 0 and (ii) x ≥ 0 with xᵀNx = 0 implies (N + Nᵀ)x = 0.",
+        statement: r"$N$ is copositive-plus if (i) $x \ge 0$ implies $x^TNx \ge 0$ and (ii) $x \ge 0$ with $x^TNx = 0$ implies
+            $(N + N^T)x = 0$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Definition,
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "This is the standard definition.",
-        argument: "[[0, 1], [0, 0]] is copositive (form x₁x₂) but x = (1, 0) has form 0 and (N + Nᵀ)x = (0, 1): part (ii) excludes it. \
-            [[1, −1], [−1, 1]] and [[0, 1], [−1, 0]] satisfy both parts.",
-        controls: &["Part (i) alone.", "Positive definite in place of copositive-plus.", "A look at the axes alone, a diagonal ≥ 0."],
+        argument: r"$\begin{bmatrix}0 & 1 \\ 0 & 0\end{bmatrix}$ is copositive (form $x_1x_2$) but $x = (1, 0)$ has form 0 and
+            $(N + N^T)x = (0, 1)$: part (ii) excludes it. $\begin{bmatrix}1 & -1 \\ -1 & 1\end{bmatrix}$ and
+            $\begin{bmatrix}0 & 1 \\ -1 & 0\end{bmatrix}$ satisfy both parts.",
+        controls: &["Part (i) alone.", "Positive definite in place of copositive-plus.", r"A look at the axes alone, a diagonal $\ge 0$."],
         sources: &["chapter §4, definition before the theorem on M_LCP", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.8"],
         check: check!(definition),
     },
     Claim {
         id: "S4.copos",
-        statement: "M_LCP is copositive (part (i) of the theorem).",
+        statement: r"$M_\text{LCP}$ is copositive (part (i) of the theorem).",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "M_LCP is copositive for every μ ≥ 0, any number of contacts and any redundancy.",
-        argument: "xᵀM x = x₁ᵀW̃x₁ + Σμᵢλᵢσᵢ is a sum of two terms that are ≥ 0 for x ≥ 0 (x₁ = (λ, β)). Decided exactly here for the \
-            chapter's contact, a wedge of two contacts and the jamming 4×4 matrix; on a thousand random systems in the property family.",
-        controls: &["The last row with reversed sign, (−μ, Eᵀ)."],
+        correct_statement: r"$M_\text{LCP}$ is copositive for every $\mu \ge 0$, any number of contacts and any redundancy.",
+        argument: r"$x^TM\,x = x_1^T\tilde Wx_1 + \sum\mu_i\lambda_i\sigma_i$ is a sum of two terms that are $\ge 0$ for $x \ge 0$
+            ($x_1 = (\lambda, \beta)$). Decided exactly here for the chapter's contact, a wedge of two contacts and the jamming $4\times4$
+            matrix; on a thousand random systems in the property family.",
+        controls: &[r"The last row with reversed sign, $(-\mu, E^T)$."],
         sources: &["chapter §4, theorem on M_LCP, part (i)"],
         check: check!(copositivity),
     },
     Claim {
         id: "S4.copos-plus",
-        statement: "Theorem (the chapter attributes it to Anitescu and Potra 1997): the Stewart–Trinkle matrix M_LCP is copositive-plus.",
+        statement: r"Theorem (the chapter attributes it to Anitescu and Potra 1997): the Stewart–Trinkle matrix $M_\text{LCP}$ is
+            copositive-plus.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::BrokenTheorem),
         evidence: Evidence::Exact,
-        correct_statement: "M_LCP is copositive; it is copositive-plus if and only if every μ is 0. Solvability rests on something else: \
-            with q = (nᵀv + b, Dᵀv, 0), v the free velocity and b = φ/h, if bᵀλ ≥ 0 for all λ, β ≥ 0 with nλ + Dβ = 0 and Eᵀβ ≤ μλ – true \
-            if all gaps are ≥ 0, or if the friction cone is pointed – the LCP has a solution and lexicographic Lemke with any covering \
-            vector d > 0 finds one.",
-        argument: "Witness in the chapter's own 4×4 example (μ = 1/2): x = (0, 0, 0, 1) ≥ 0 has xᵀMx = 0 but (M + Mᵀ)x = (1/2, 0, 0, 0) ≠ \
-            0. In general x = (0, 0, σ) gives (M + Mᵀ)x = (μσ, 0, 0). No scaling or sign convention removes it. If every μ is 0 then xᵀMx \
-            = x₁ᵀW̃x₁ with W̃ ⪰ 0, and M is copositive-plus. Proof of the corrected theorem: on a secondary ray the direction x̂ = (λ, β, \
-            σ) satisfies x̂ᵀMx̂ = 0 and Mx̂ ≥ 0, hence nλ + Dβ = 0, and x̂ᵀq < 0; but x̂ᵀq = vᵀ(nλ + Dβ) + bᵀλ = bᵀλ ≥ 0. This refutes the \
-            chapter's theorem, not the paper, which was not read.",
+        correct_statement: r"$M_\text{LCP}$ is copositive; it is copositive-plus if and only if every $\mu$ is 0. Solvability rests on
+            something else: with $q = (n^Tv + b, D^Tv, 0)$, $v$ the free velocity and $b = \varphi/h$, if $b^T\lambda \ge 0$ for all
+            $\lambda$, $\beta \ge 0$ with $n\lambda + D\beta = 0$ and $E^T\beta \le \mu\lambda$ – true if all gaps are $\ge 0$, or if the
+            friction cone is pointed – the LCP has a solution and lexicographic Lemke with any covering vector $d > 0$ finds one.",
+        argument: r"Witness in the chapter's own $4\times4$ example ($\mu = 1/2$): $x = (0, 0, 0, 1) \ge 0$ has $x^TMx = 0$ but
+            $(M + M^T)x = (1/2, 0, 0, 0) \ne 0$. In general $x = (0, 0, \sigma)$ gives $(M + M^T)x = (\mu\sigma, 0, 0)$. No scaling or
+            sign convention removes it. If every $\mu$ is 0 then $x^TMx = x_1^T\tilde Wx_1$ with $\tilde W \succeq 0$, and $M$ is
+            copositive-plus. Proof of the corrected theorem: on a secondary ray the direction $\hat x = (\lambda, \beta, \sigma)$
+            satisfies $\hat x^TM\hat x = 0$ and $M\hat x \ge 0$, hence $n\lambda + D\beta = 0$, and $\hat x^Tq < 0$; but
+            $\hat x^Tq = v^T(n\lambda + D\beta) + b^T\lambda = b^T\lambda \ge 0$. This refutes the chapter's theorem, not the paper, which
+            was not read.",
         controls: &[
-            "The matrix whose quadratic form is the one the chapter's proof computes (μ missing from the last row): it is \
+            r"The matrix whose quadratic form is the one the chapter's proof computes ($\mu$ missing from the last row): it is
                 copositive-plus.",
-            "The last row with reversed sign, (−μ, Eᵀ).",
+            r"The last row with reversed sign, $(-\mu, E^T)$.",
         ],
         sources: &["chapter §4, theorem on M_LCP", "proof: module certificate::existence"],
         check: check!(not_plus),
     },
     Claim {
         id: "S4.quadratic-general",
-        statement: "Proof and exercise 2: xᵀM_LCP x = x₁ᵀW̃x₁, because the friction row and the tangential column cancel; and xᵀMx = 0 \
-            implies (M + Mᵀ)x = 0.",
+        statement: r"Proof and exercise 2: $x^TM_\text{LCP}\,x = x_1^T\tilde Wx_1$, because the friction row and the tangential column
+            cancel; and $x^TMx = 0$ implies $(M + M^T)x = 0$.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "xᵀM_LCP x = x₁ᵀW̃x₁ + Σμᵢλᵢσᵢ: only +E against −Eᵀ cancels, μ has no partner. Copositivity follows all the \
-            same; the second implication does not, and falls with S4.copos-plus.",
-        argument: "In the wedge of two contacts with μ = 1/2 and x = (1, …, 1) the form exceeds x₁ᵀW̃x₁ by μ₁ + μ₂ = 1. At x = (0, 0, σ) \
-            it vanishes with (M + Mᵀ)x = (μσ, 0, 0).",
-        controls: &["The matrices without μ in their last rows, for which the printed identity and its consequence hold."],
+        correct_statement: r"$x^TM_\text{LCP}\,x = x_1^T\tilde Wx_1 + \sum\mu_i\lambda_i\sigma_i$: only $+E$ against $-E^T$ cancels, $\mu$
+            has no partner. Copositivity follows all the same; the second implication does not, and falls with S4.copos-plus.",
+        argument: r"In the wedge of two contacts with $\mu = 1/2$ and $x = (1, \ldots, 1)$ the form exceeds $x_1^T\tilde Wx_1$ by
+            $\mu_1 + \mu_2 = 1$. At $x = (0, 0, \sigma)$ it vanishes with $(M + M^T)x = (\mu\sigma, 0, 0)$.",
+        controls: &[r"The matrices without $\mu$ in their last rows, for which the printed identity and its consequence hold."],
         sources: &["chapter §4, exercise 2, and the proof of the theorem on M_LCP (whose display is not legible in the source)"],
         check: check!(general_form),
     },
@@ -86,10 +92,11 @@ pub const CLAIMS: &[Claim] = &[
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "True; but it does not apply to the Stewart–Trinkle LCP with friction, whose matrix is not copositive-plus.",
-        argument: "A secondary ray of Lemke's method would give x ≥ 0 with xᵀMx = 0, Mx ≥ 0 and xᵀq < 0; (ii) turns Mx ≥ 0 into Mᵀx ≤ 0, \
-            so xᵀ(Mz + q) < 0 for every z ≥ 0, against feasibility. Here: three copositive-plus matrices with all q from {−2, …, 2}², \
-            every feasible one solved. The merely copositive 4×4 matrix of a jammed contact has a feasible q without solution.",
-        controls: &["The merely copositive 4×4 matrix with q = (−1, 0, 0, 0)."],
+        argument: r"A secondary ray of Lemke's method would give $x \ge 0$ with $x^TMx = 0$, $Mx \ge 0$ and $x^Tq < 0$; (ii) turns
+            $Mx \ge 0$ into $M^Tx \le 0$, so $x^T(Mz + q) < 0$ for every $z \ge 0$, against feasibility. Here: three copositive-plus
+            matrices with all $q$ from $\{-2, \ldots, 2\}^2$, every feasible one solved. The merely copositive $4\times4$ matrix of a
+            jammed contact has a feasible $q$ without solution.",
+        controls: &[r"The merely copositive $4\times4$ matrix with $q = (-1, 0, 0, 0)$."],
         sources: &["chapter §4, corollary “every step is solvable”", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.8"],
         check: check!(feasible_is_solvable),
     },

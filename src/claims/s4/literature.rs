@@ -42,9 +42,10 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated of the form: a class of that name existed from September 2017 to April 2018, in multibody/dev; its \
             solver's documentation displays the matrix of Stewart and Trinkle, block by block, over a polygonal cone, with Lemke's \
             method. That documentation does not name their paper. The pinned release does not know the class any more.",
-        argument: "Drake's repository: added by commit 0e218d926b, removed by fc428c0fa2. multibody/constraint/constraint_solver.h (commit \
-            03b888e8ed), which the class calls, has the blocks (N C Nᵀ, N C Dᵀ, 0; D C Nᵀ, D C Dᵀ, E; μ, −Eᵀ, 0), C = M⁻¹: for a wedge \
-            of two contacts every entry is that of the LCP here. The documentation of the plant's module in 1.51.1 does not have the name.",
+        argument: r"Drake's repository: added by commit 0e218d926b, removed by fc428c0fa2. multibody/constraint/constraint_solver.h
+            (commit 03b888e8ed), which the class calls, has the blocks $(N\,C\,N^T, N\,C\,D^T, 0; D\,C\,N^T, D\,C\,D^T, E; \mu, -E^T, 0)$,
+            $C = M^{-1}$: for a wedge of two contacts every entry is that of the LCP here. The documentation of the plant's module in
+            1.51.1 does not have the name.",
         controls: &[
             "The name of the present plant, which is not early Drake's.",
             "The LCP with the sign of its rows of the friction cone wrong.",
@@ -63,11 +64,11 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Who was first is not decided here; Pang and Trinkle had existence results for several bodies with Coulomb \
             friction in print a year before. What the sentence says of the matrix is so: it is not even semidefinite, it is copositive, \
             and Lemke's method solves the step.",
-        argument: "The chapter's example, μ = 1/2: xᵀMx = −1 at x = (1, 0, 0, −4), since the quadratic form holds μ λ σ; copositive, \
-            decided exactly; a closing contact is solved by Lemke in rationals.",
+        argument: r"The chapter's example, $\mu = 1/2$: $x^TMx = -1$ at $x = (1, 0, 0, -4)$, since the quadratic form holds
+            $\mu\,\lambda\,\sigma$; copositive, decided exactly; a closing contact is solved by Lemke in rationals.",
         controls: &[
-            "μ = 0, where the form is that of the Delassus operator, 1 ≥ 0 at this x.",
-            "The last row with reversed sign, (−μ, Eᵀ).",
+            r"$\mu = 0$, where the form is that of the Delassus operator, $1 \ge 0$ at this $x$.",
+            r"The last row with reversed sign, $(-\mu, E^T)$.",
         ],
         sources: &[
             "chapter §4, essential insight on copositive-plus",

@@ -12,35 +12,38 @@ use crate::solvers::enumeration::all_solutions;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.groups",
-        statement: "The LCP has three complementarity groups: 0 ≤ λ_n ⟂ normal separation velocity ≥ 0; 0 ≤ β ⟂ λE + Dᵀv⁺ ≥ 0, “where σ is \
-            the slip rate”; 0 ≤ σ ⟂ μλ_n − Eᵀβ ≥ 0.",
+        statement: r"The LCP has three complementarity groups: $0 \le \lambda_n$ ⟂ normal separation velocity $\ge 0$;
+            $0 \le \beta \perp \lambda E + D^Tv^+ \ge 0$, “where $\sigma$ is the slip rate”;
+            $0 \le \sigma \perp \mu\lambda_n - E^T\beta \ge 0$.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::Misprint),
         evidence: Evidence::Exact,
-        correct_statement: "The three groups hold with σE in the second: 0 ≤ β ⟂ σE + Dᵀv⁺ ≥ 0. The printed λ is undefined there; the \
-            clause about σ shows what is meant.",
-        argument: "Unit point mass, μ = 1/2, φ = 0, free velocity (2, −1): λ = 1, β = (0, 1/2), v⁺ = (3/2, 0), σ = 3/2. The second group \
-            with σ is (3, 0) ≥ 0 and complementary to β; with λ in its place it is (5/2, −1/2).",
+        correct_statement: r"The three groups hold with $\sigma E$ in the second: $0 \le \beta \perp \sigma E + D^Tv^+ \ge 0$. The printed
+            $\lambda$ is undefined there; the clause about $\sigma$ shows what is meant.",
+        argument: r"Unit point mass, $\mu = 1/2$, $\varphi = 0$, free velocity $(2, -1)$: $\lambda = 1$, $\beta = (0, 1/2)$,
+            $v^+ = (3/2, 0)$, $\sigma = 3/2$. The second group with $\sigma$ is $(3, 0) \ge 0$ and complementary to $\beta$; with
+            $\lambda$ in its place it is $(5/2, -1/2)$.",
         controls: &[
-            "The second group with σ in place of the printed λ: all three groups hold.",
-            "The impulses of another contact, μ = 1 with free velocity (3, −2), kept for this one.",
+            r"The second group with $\sigma$ in place of the printed $\lambda$: all three groups hold.",
+            r"The impulses of another contact, $\mu = 1$ with free velocity $(3, -2)$, kept for this one.",
         ],
         sources: &["chapter §4, step 3 of the construction"],
         check: check!(groups),
     },
     Claim {
         id: "S4.Wtilde",
-        statement: "The upper left block over (λ, β) is symmetric positive semidefinite.",
+        statement: r"The upper left block over $(\lambda, \beta)$ is symmetric positive semidefinite.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "W̃ = CᵀM⁻¹C with C = (n D) is symmetric positive semidefinite because M ≻ 0; with opposite directions in D it \
-            is singular.",
-        argument: "xᵀW̃x = (Cx)ᵀM⁻¹(Cx) ≥ 0. In the chapter's example x = (0, 1, 1) has Cx = 0, so W̃ is not definite: rank 2 of 3.",
+        correct_statement: r"$\tilde W = C^TM^{-1}C$ with $C = (n\,D)$ is symmetric positive semidefinite because $M \succ 0$; with
+            opposite directions in $D$ it is singular.",
+        argument: r"$x^T\tilde Wx = (Cx)^TM^{-1}(Cx) \ge 0$. In the chapter's example $x = (0, 1, 1)$ has $Cx = 0$, so $\tilde W$ is not
+            definite: rank 2 of 3.",
         controls: &[
-            "An indefinite “mass” diag(1, −1) in place of M: the block must then stop being semidefinite.",
+            r"An indefinite “mass” $\operatorname{diag}(1, -1)$ in place of $M$: the block must then stop being semidefinite.",
             "An asymmetric “mass”, as an implicit gyroscopic force leaves it.",
         ],
         sources: &["chapter §4, reading of the matrix block by block"],
@@ -48,19 +51,19 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S4.ex-jacobian",
-        statement: "Example: the corner of a 2D block (m = 1, I = 1) touches the ground; let the contact point lie straight below the \
-            centre of mass (simplification: the contact Jacobian contains no rotational coupling).",
+        statement: r"Example: the corner of a $2D$ block ($m = 1$, $I = 1$) touches the ground; let the contact point lie straight below
+            the centre of mass (simplification: the contact Jacobian contains no rotational coupling).",
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "A contact point at distance r straight below the centre of mass has the tangential row (1, 0, r): W_nt = 0, \
-            but W_tt = 1/m + r²/I. The matrix of the example is that of a point mass (r = 0): as a declared simplification it may stand, \
-            it does not follow from where the contact point lies.",
-        argument: "The velocity of the point (0, −r) is (vₓ + rω, v_y). With m = I = r = 1: W_tt = 2, not 1. Only the normal-tangential \
-            block vanishes.",
+        correct_statement: r"A contact point at distance $r$ straight below the centre of mass has the tangential row $(1, 0, r)$:
+            $W_{nt} = 0$, but $W_{tt} = 1/m + r^2/I$. The matrix of the example is that of a point mass ($r = 0$): as a declared
+            simplification it may stand, it does not follow from where the contact point lies.",
+        argument: r"The velocity of the point $(0, -r)$ is $(v_x + r\omega, v_y)$. With $m = I = r = 1$: $W_{tt} = 2$, not 1. Only the
+            normal-tangential block vanishes.",
         controls: &[
-            "The lever arm r = 0 that the example's row (1, 0, 0) stands for.",
+            r"The lever arm $r = 0$ that the example's row $(1, 0, 0)$ stands for.",
             "A corner that lies 1 m below the centre of mass and 1 m beside it.",
         ],
         sources: &["chapter §4, example “2D block on the ground”"],
@@ -68,77 +71,87 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S4.ex-W",
-        statement: "Example: W = [[1, 0, 0], [0, 1, −1], [0, −1, 1]]; the tangential block has rank 1 because d₁ = −d₂.",
+        statement: r"Example: $W = \begin{bmatrix}1 & 0 & 0 \\ 0 & 1 & -1 \\ 0 & -1 & 1\end{bmatrix}$; the tangential block has rank 1
+            because $d_1 = -d_2$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "With rows n = (0, 1, 0), ±t = (±1, 0, 0) and m = 1, W is as printed and its tangential block has rank 1.",
-        argument: "W = H M⁻¹Hᵀ entry by entry; the tangential block has the kernel (1, 1) and the entry 1.",
-        controls: &["Two directions that are not opposite, d₁ = d₂.", "Two directions at a right angle, of a contact in space."],
+        correct_statement: r"With rows $n = (0, 1, 0)$, $\pm t = (\pm1, 0, 0)$ and $m = 1$, $W$ is as printed and its tangential block has
+            rank 1.",
+        argument: r"$W = H\,M^{-1}H^T$ entry by entry; the tangential block has the kernel $(1, 1)$ and the entry 1.",
+        controls: &[r"Two directions that are not opposite, $d_1 = d_2$.", "Two directions at a right angle, of a contact in space."],
         sources: &["chapter §4, example “2D block on the ground”"],
         check: check!(example_delassus),
     },
     Claim {
         id: "S4.ex-asym",
-        statement: "The 4×4 matrix is not symmetric: M₁₄ = 0 but M₄₁ = 0.5, M₂₄ = 1 but M₄₂ = −1.",
+        statement: r"The $4\times4$ matrix is not symmetric: $M_{14} = 0$ but $M_{41} = 0.5$, $M_{24} = 1$ but $M_{42} = -1$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "M₁₄ = 0, M₄₁ = 1/2, M₂₄ = 1, M₄₂ = −1.",
-        argument: "Read off M = [[W̃, (0; E)], [(μ, −Eᵀ), 0]] with μ = 1/2.",
-        controls: &["The symmetric matrix [[W̃, b], [bᵀ, 0]] of the proof's first line.", "The transposed matrix."],
+        correct_statement: r"$M_{14} = 0$, $M_{41} = 1/2$, $M_{24} = 1$, $M_{42} = -1$.",
+        argument: r"Read off $M = \begin{bmatrix}\tilde W & (0; E) \\ (\mu, -E^T) & 0\end{bmatrix}$ with $\mu = 1/2$.",
+        controls: &[
+            r"The symmetric matrix $\begin{bmatrix}\tilde W & b \\ b^T & 0\end{bmatrix}$ of the proof's first line.",
+            "The transposed matrix.",
+        ],
         sources: &["chapter §4, example “2D block on the ground”"],
         check: check!(asymmetry),
     },
     Claim {
         id: "S4.ex-quadratic",
-        statement: "Example: the cross terms with σ cancel and xᵀMx = λ² + (β₁ − β₂)² ≥ 0 remains.",
+        statement: r"Example: the cross terms with $\sigma$ cancel and $x^TMx = \lambda^2 + (\beta_1 - \beta_2)^2 \ge 0$ remains.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "xᵀMx = λ² + (β₁ − β₂)² + ½λσ: the terms σ(β₁ + β₂) cancel, μλσ remains. It is ≥ 0 for x ≥ 0, so the conclusion \
-            drawn there survives, but M is not positive semidefinite. (The dropped term is that of S4.quadratic-general.)",
-        argument: "x = (1, 0, 0, 1): xᵀMx = 3/2, the printed formula gives 1. x = (−1/10, 0, 0, 1): xᵀMx = −1/25 < 0.",
+        correct_statement: r"$x^TMx = \lambda^2 + (\beta_1 - \beta_2)^2 + \tfrac12\lambda\sigma$: the terms $\sigma(\beta_1 + \beta_2)$
+            cancel, $\mu\lambda\sigma$ remains. It is $\ge 0$ for $x \ge 0$, so the conclusion drawn there survives, but $M$ is not
+            positive semidefinite. (The dropped term is that of S4.quadratic-general.)",
+        argument: r"$x = (1, 0, 0, 1)$: $x^TMx = 3/2$, the printed formula gives 1. $x = (-1/10, 0, 0, 1)$: $x^TMx = -1/25 < 0$.",
         controls: &[
-            "The matrix without μ in the row of the friction cone, whose form is the printed one.",
-            "The last row with reversed sign, (−μ, Eᵀ).",
+            r"The matrix without $\mu$ in the row of the friction cone, whose form is the printed one.",
+            r"The last row with reversed sign, $(-\mu, E^T)$.",
         ],
         sources: &["chapter §4, example “2D block on the ground”"],
         check: check!(example_form),
     },
     Claim {
         id: "S4.block-form",
-        statement: "Proof: partition M_LCP as [[W̃, b], [bᵀ, 0]], where the last row and column hold [μ, −Eᵀ] and [0; E].",
+        statement: r"Proof: partition $M_\text{LCP}$ as $\begin{bmatrix}\tilde W & b \\ b^T & 0\end{bmatrix}$, where the last row and
+            column hold $[\mu, -E^T]$ and $[0; E]$.",
         verdict: ClaimVerdict::Inconsistent,
         kind: Kind::Assertion,
         severity: Some(Severity::Misprint),
         evidence: Evidence::Exact,
-        correct_statement: "M_LCP = [[W̃, b], [cᵀ, 0]] with b = (0; E) and c = (μ; −E) ≠ b; the same sentence names both correctly, so \
-            this is a slip of notation.",
-        argument: "In the example's matrix the last row (1/2, −1, −1) and the last column (0, 1, 1) differ in three entries: so they do \
-            in the words of the sentence, μ against 0 and −Eᵀ against E, while the display with b and bᵀ says that they do not differ.",
+        correct_statement: r"$M_\text{LCP} = \begin{bmatrix}\tilde W & b \\ c^T & 0\end{bmatrix}$ with $b = (0; E)$ and
+            $c = (\mu; -E) \ne b$; the same sentence names both correctly, so this is a slip of notation.",
+        argument: r"In the example's matrix the last row $(1/2, -1, -1)$ and the last column $(0, 1, 1)$ differ in three entries: so they
+            do in the words of the sentence, $\mu$ against 0 and $-E^T$ against $E$, while the display with $b$ and $b^T$ says that they
+            do not differ.",
         controls: &[
-            "A contact without friction, μ = 0 and no directions: its last row and column are zero in the display and in the words.",
+            r"A contact without friction, $\mu = 0$ and no directions: its last row and column are zero in the display and in the words.",
         ],
         sources: &["chapter §4, proof of the theorem on M_LCP"],
         check: check!(block_form),
     },
     Claim {
         id: "S4.ex1-size",
-        statement: "Exercise: for one planar contact with d₁ = −d₂, write down the 3×3 Stewart–Trinkle matrix entry by entry.",
+        statement: r"Exercise: for one planar contact with $d_1 = -d_2$, write down the $3\times3$ Stewart–Trinkle matrix entry by
+            entry.",
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Exercise,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "The matrix is 3×3 in blocks (λ, β, σ) and 4×4 in scalars (λ, β₁, β₂, σ), as in the section's own example.",
-        argument: "Unknowns: 1 normal impulse, 2 direction impulses, 1 slip speed – four scalars in three blocks. The text does not say \
-            which size is meant; leaving σ out would lose the row of the friction cone the exercise asks for, and the three scalars (λ, \
-            β₁, σ) of d₁ alone brake one sense of sliding only: \
-            a slide at 2 m/s to 3/2 m/s in one sense, not at all in the other.",
-        controls: &["The three scalars (λ, β₁, σ) of the direction d₁ alone.", "No directions at all."],
+        correct_statement: r"The matrix is $3\times3$ in blocks $(\lambda, \beta, \sigma)$ and $4\times4$ in scalars
+            $(\lambda, \beta_1, \beta_2, \sigma)$, as in the section's own example.",
+        argument: r"Unknowns: 1 normal impulse, 2 direction impulses, 1 slip speed – four scalars in three blocks. The text does not say
+            which size is meant; leaving $\sigma$ out would lose the row of the friction cone the exercise asks for, and the three scalars
+            $(\lambda, \beta_1, \sigma)$ of $d_1$ alone brake one sense of sliding only: a slide at 2 m/s to 3/2 m/s in one sense, not at
+            all in the other.",
+        controls: &[r"The three scalars $(\lambda, \beta_1, \sigma)$ of the direction $d_1$ alone.", "No directions at all."],
         sources: &["chapter §4, exercise 1"],
         check: check!(example_size),
     },

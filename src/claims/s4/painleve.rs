@@ -15,36 +15,37 @@ use crate::tolerance::claims::lcp::painleve_impulse;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.painleve",
-        statement: "Painlevé 1895: for some rigid bodies with Coulomb friction (a rod sliding on the ground with large μ) the equations of \
-            motion have no solution or several.",
+        statement: r"Painlevé 1895: for some rigid bodies with Coulomb friction (a rod sliding on the ground with large $\mu$) the
+            equations of motion have no solution or several.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "For the uniform rod this happens for μ > μ_P = W_nn/|W_nt| = (4 + tan²)/(3 tan) ≥ 4/3 when it slides towards \
-            the side it leans to.",
-        argument: "Sliding force λ with friction μλ: 0 ≤ λ ⟂ Aλ + b ≥ 0, A = W_nn − μ|W_nt|. At cos = 3/5: μ_P = 13/9. With μ = 2: A = \
-            −4/5; b = −1 has no solution, b = 1 has two (0 and 5/4). (4 + t²)/(3t) − 4/3 = (t − 2)²/(3t) ≥ 0, so μ_P is least at tan = 2.",
-        controls: &["μ = 1 < μ_P: exactly one solution for either sign of b.", "A rod that leans the other way, cos = 4/5."],
+        correct_statement: r"For the uniform rod this happens for $\mu > \mu_P = W_{nn}/|W_{nt}| = (4 + \tan^2)$/(3 tan) $\ge 4/3$ when it
+            slides towards the side it leans to.",
+        argument: r"Sliding force $\lambda$ with friction $\mu\lambda$: $0 \le \lambda \perp A\lambda + b \ge 0$,
+            $A = W_{nn} - \mu|W_{nt}|$. At cos $= 3/5$: $\mu_P = 13/9$. With $\mu = 2$: $A = -4/5$; $b = -1$ has no solution, $b = 1$ has
+            two (0 and 5/4). $(4 + t^2)/(3t) - 4/3 = (t - 2)^2/(3t) \ge 0$, so $\mu_P$ is least at tan $= 2$.",
+        controls: &[r"$\mu = 1 < \mu_P$: exactly one solution for either sign of $b$.", r"A rod that leans the other way, cos $= 4/5$."],
         sources: &["chapter §4, resolution of Painlevé's paradox", "Painlevé 1895; Génot and Brogliato 1999"],
         check: check!(paradox),
     },
     Claim {
         id: "S4.painleve-atom",
-        statement: "(Stewart 1998) The limit h → 0 of Stewart–Trinkle solutions exists (§4: of a subsequence) but contains impulsive \
-            atoms, “impact without collision”: in a Painlevé configuration the system produces an instantaneous impulse by itself; time \
+        statement: r"(Stewart 1998) The limit $h \to 0$ of Stewart–Trinkle solutions exists (§4: of a subsequence) but contains impulsive
+            atoms, “impact without collision”: in a Painlevé configuration the system produces an instantaneous impulse by itself; time
             stepping delivers this measure solution automatically.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "Where no sliding force exists the step has one solution, whose impulse does not vanish with h: P_n = \
-            |W_nt||v_t|/det W, P_t = W_nn|v_t|/det W, and the end sticks. Where two forces exist the step has three solutions, and the \
-            solver's pivoting rule decides whether there is an atom.",
-        argument: "cos = 3/5, μ = 2, v_t = −1, gravity 9.81, h = 1/100, then a hundredth of it twice: one solution each, P = W⁻¹(g h, 1) → \
-            (9/25, 13/25). At the last h P = (0.3600072, 0.5200035). With an upward normal free velocity, where two sliding forces exist \
-            (a Painlevé configuration as well): 3 solutions (open, sliding, impact).",
-        controls: &["μ = 1 < μ_P: the impulse is of order h and there is no atom."],
+        correct_statement: r"Where no sliding force exists the step has one solution, whose impulse does not vanish with $h$:
+            $P_n = |W_{nt}||v_t|/\det W$, $P_t = W_{nn}|v_t|/\det W$, and the end sticks. Where two forces exist the step has three
+            solutions, and the solver's pivoting rule decides whether there is an atom.",
+        argument: r"cos $= 3/5$, $\mu = 2$, $v_t = -1$, gravity 9.81, $h = 1/100$, then a hundredth of it twice: one solution each,
+            $P = W^{-1}(g\,h, 1) \to (9/25, 13/25)$. At the last $h\,P = (0.3600072, 0.5200035)$. With an upward normal free velocity,
+            where two sliding forces exist (a Painlevé configuration as well): 3 solutions (open, sliding, impact).",
+        controls: &[r"$\mu = 1 < \mu_P$: the impulse is of order $h$ and there is no atom."],
         sources: &["chapter §4, resolution of Painlevé's paradox", "Stewart 1998 (not read)"],
         check: check!(atom),
     },
@@ -55,9 +56,10 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Exercise,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "It dissipates: ΔT = ½Pᵀ(u⁺ + u⁻) = −½ W_nn v_t²/det W = −(1 + 3cos²)/8 · m v_t².",
-        argument: "u⁻ = (0, −1), P = (9/25, 13/25), u⁺ = 0: ΔT = ½·(13/25)·(−1) = −13/50 with m = 1, cos = 3/5; the same from ½vᵀMv before \
-            and after.",
+        correct_statement: r"It dissipates: $\Delta T = \tfrac12P^T(u^+ + u^-) = -\tfrac12\,W_{nn}\,v_t^2/\det W = -(1 + 3\cos^2)/8 \cdot
+            m\,v_t^2$.",
+        argument: r"$u^- = (0, -1)$, $P = (9/25, 13/25)$, $u^+ = 0$: $\Delta T = \tfrac12\cdot(13/25)\cdot(-1) = -13/50$ with $m = 1$, cos
+            $= 3/5$; the same from $\tfrac12v^TMv$ before and after.",
         controls: &["A rod whose end starts below the floor: the impulse that pushes it out injects energy."],
         sources: &["chapter §4, exercise 3"],
         check: check!(dissipation),

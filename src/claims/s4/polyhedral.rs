@@ -18,80 +18,80 @@ use std::f64::consts::PI;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.poly-order",
-        statement: "The polyhedral cone has an error O(1/d) in its shape (§4, its summary, §5's insight); it has an error O(1/d²) in the \
-            radius (§4's pitfall) and in its shape (§5's table).",
+        statement: r"The polyhedral cone has an error $O(1/d)$ in its shape (§4, its summary, §5's insight); it has an error $O(1/d^2)$ in
+            the radius (§4's pitfall) and in its shape (§5's table).",
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "Shape and strength: 1 − cos(π/d) ≈ π²/(2d²), so O(1/d²) is the order and O(1/d) a bound that is not sharp. \
-            O(1/d) is the order of the direction of the force, π/d, and of the force vector, 2 sin(π/2d) ≈ π/d. In the plane d = 2 has no \
-            error.",
-        argument: "The inscribed regular d-gon has inradius cos(π/d), which is its Hausdorff distance 1 − cos(π/d) from the disk: times d² \
-            it lies in [π²/2 − π⁴/(24 d²), π²/2]. Read as upper bounds both orders hold of it. Read as the order, O(1/d) says that twice \
-            the directions halve the error; they divide it by 2(1 + cos(π/64)) = 3.998 from d = 32 to 64: as orders of one shape the two \
-            exclude each other.",
+        correct_statement: r"Shape and strength: $1 - \cos(\pi/d) \approx \pi^2/(2d^2)$, so $O(1/d^2)$ is the order and $O(1/d)$ a bound
+            that is not sharp. $O(1/d)$ is the order of the direction of the force, $\pi/d$, and of the force vector,
+            $2 \sin(\pi/2d) \approx \pi/d$. In the plane $d = 2$ has no error.",
+        argument: r"The inscribed regular $d$-gon has inradius $\cos(\pi/d)$, which is its Hausdorff distance $1 - \cos(\pi/d)$ from the
+            disk: times $d^2$ it lies in $[\pi^2/2 - \pi^4/(24\,d^2), \pi^2/2]$. Read as upper bounds both orders hold of it. Read as the
+            order, $O(1/d)$ says that twice the directions halve the error; they divide it by $2(1 + \cos(\pi/64)) = 3.998$ from $d = 32$
+            to 64: as orders of one shape the two exclude each other.",
         controls: &[
-            "Directions added in one quadrant only: the radius stays short by 1 − cos(π/4) in the others, and neither order holds of it.",
+            r"Directions added in one quadrant only: the radius stays short by $1 - \cos(\pi/4)$ in the others, and neither order holds of
+                it.",
         ],
         sources: &["chapter §4, compromise, summary and pitfall", "chapter §5, table and insight on the two approximations"],
         check: check!(order),
     },
     Claim {
         id: "S4.d8",
-        statement: "The error of the polyhedral cone is O(1/d²) (for the radius); d = 8 is already quite accurate. What changes in kind is \
-            a slight anisotropy.",
+        statement: r"The error of the polyhedral cone is $O(1/d^2)$ (for the radius); $d = 8$ is already quite accurate. What changes in
+            kind is a slight anisotropy.",
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Opinion,
         severity: None,
         evidence: Evidence::NotDecidable,
-        correct_statement: "d = 8 is 7.6 % weak in the worst direction and up to 22.5° off in the direction of the force; a free slide \
+        correct_statement: r"$d = 8$ is 7.6 % weak in the worst direction and up to 22.5° off in the direction of the force; a free slide
             drifts sideways by up to 10.6 % of its stopping distance.",
-        argument: "1 − cos(π/8) = 0.0761. A slide at angle ψ from a direction keeps that direction's friction until the velocity has \
-            turned to the bisector, then follows the bisector: with v² = 2μg·s the sideways displacement has the closed form of \
-            `lateral_drift`, \
-            largest at ψ = 0.200 where it is 0.1056 of the stopping distance. Stewart–Trinkle with 8 directions measures the same; the \
-            first order of the drift is (π/4)/d, not 1/d².",
+        argument: r"$1 - \cos(\pi/8) = 0.0761$. A slide at angle $\psi$ from a direction keeps that direction's friction until the
+            velocity has turned to the bisector, then follows the bisector: with $v^2 = 2\mu g\cdot s$ the sideways displacement has the
+            closed form of `lateral_drift`, largest at $\psi = 0.200$ where it is 0.1056 of the stopping distance. Stewart–Trinkle with 8
+            directions measures the same; the first order of the drift is $(\pi/4)/d$, not $1/d^2$.",
         controls: &["The circular cone, which is what quite accurate would mean."],
         sources: &["chapter §4, pitfall on the polyhedral cone"],
         check: check!(eight_directions),
     },
     Claim {
         id: "S4.aniso",
-        statement: "The friction force is restricted to d discrete directions, which makes sliding along the basis directions slightly \
+        statement: r"The friction force is restricted to $d$ discrete directions, which makes sliding along the basis directions slightly
             easier or harder than along the diagonals.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "Basis directions are the harder ones (full μ), bisectors the easier ones (μ cos(π/d)), so stopping distances \
-            differ by sec(π/d): 1.414, 1.082, 1.020 for d = 4, 8, 16. \
-            Sticking and sliding along a bisector use combinations of directions; the bisectors attract the sliding direction.",
-        argument: "The inscribed polygon reaches μ at its vertices and μ cos(π/d) at the middle of its sides. One Stewart–Trinkle step \
-            along a direction and along the bisector loses speed in exactly this ratio. In a slide between them friction points along one \
-            direction; in a slide along the bisector it is a combination of two, π/d beside either; and a slide that starts a quarter of \
-            the way from direction to bisector turns towards the bisector.",
+        correct_statement: r"Basis directions are the harder ones (full $\mu$), bisectors the easier ones ($\mu \cos(\pi/d)$), so stopping
+            distances differ by sec($\pi/d$): 1.414, 1.082, 1.020 for $d = 4$, 8, 16. Sticking and sliding along a bisector use
+            combinations of directions; the bisectors attract the sliding direction.",
+        argument: r"The inscribed polygon reaches $\mu$ at its vertices and $\mu \cos(\pi/d)$ at the middle of its sides. One
+            Stewart–Trinkle step along a direction and along the bisector loses speed in exactly this ratio. In a slide between them
+            friction points along one direction; in a slide along the bisector it is a combination of two, $\pi/d$ beside either; and a
+            slide that starts a quarter of the way from direction to bisector turns towards the bisector.",
         controls: &["Coulomb's circular cone.", "Two directions more.", "A floor with half the coefficient of friction."],
         sources: &["chapter §4, pitfall on the polyhedral cone"],
         check: check!(anisotropy),
     },
     Claim {
         id: "S4.maxdiss",
-        statement: "The slip-rate multiplier σ with μλ − Eᵀβ ≥ 0 ⟂ σ ≥ 0 reproduces the principle of maximal dissipation: σ = 0 while \
-            sticking, σ > 0 and full friction while sliding.",
+        statement: r"The slip-rate multiplier $\sigma$ with $\mu\lambda - E^T\beta \ge 0 \perp \sigma \ge 0$ reproduces the principle of
+            maximal dissipation: $\sigma = 0$ while sticking, $\sigma > 0$ and full friction while sliding.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "β maximises −u_t·Dβ over β ≥ 0, Eᵀβ ≤ μλ – on the polyhedral cone – and σ is the multiplier of that linear \
-            programme, σ = max_j(−D_j·u_t).",
-        argument: "β ≥ 0 ⟂ Dᵀu_t + Eσ ≥ 0 and μλ − Eᵀβ ≥ 0 ⟂ σ ≥ 0 are the optimality conditions of max −u_t·Dβ. Its value is μλ \
-            max_j(−D_j·u_t) by duality. \
-            For eight rational directions, a coupled rational W and four free velocities the exact Lemke solution dissipates exactly that, \
-            and σ = 0 when it sticks.",
+        correct_statement: r"$\beta$ maximises $-u_t\cdot D\beta$ over $\beta \ge 0$, $E^T\beta \le \mu\lambda$ – on the polyhedral cone –
+            and $\sigma$ is the multiplier of that linear programme, $\sigma = \max_j(-D_j\cdot u_t)$.",
+        argument: r"$\beta \ge 0 \perp D^Tu_t + E\sigma \ge 0$ and $\mu\lambda - E^T\beta \ge 0 \perp \sigma \ge 0$ are the optimality
+            conditions of max $-u_t\cdot D\beta$. Its value is $\mu\lambda \max_j(-D_j\cdot u_t)$ by duality. For eight rational
+            directions, a coupled rational $W$ and four free velocities the exact Lemke solution dissipates exactly that, and $\sigma = 0$
+            when it sticks.",
         controls: &[
-            "An LCP whose cone rows carry 2Eᵀ, which halves the available friction.",
-            "An LCP whose tangential rows carry 2E, which halves the slip rate.",
+            r"An LCP whose cone rows carry $2E^T$, which halves the available friction.",
+            r"An LCP whose tangential rows carry $2E$, which halves the slip rate.",
         ],
         sources: &["chapter §4, the LCP matrix and σ"],
         check: check!(maximal_dissipation),

@@ -13,19 +13,20 @@ use crate::solvers::enumeration::{SolutionSet, all_solutions};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.sigma",
-        statement: "σ is the slip rate: σ = 0 when sticking (inside the friction cone), σ > 0 when sliding (on its boundary, friction at \
-            its maximum).",
+        statement: r"$\sigma$ is the slip rate: $\sigma = 0$ when sticking (inside the friction cone), $\sigma > 0$ when sliding (on its
+            boundary, friction at its maximum).",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "σ = max(−dⱼ·v⁺): the slip rate in the plane and along a direction of the polyhedron, less between two, down to \
-            cos(π/d) of it. Sticking has σ = 0 also on the boundary of the cone. At an open contact, which neither sticks nor slides, \
-            every σ ≥ max(−dⱼ·v⁺) is a solution, and σ says nothing.",
-        argument: "Unit point mass, μ = 1/2, all solutions enumerated. Free velocity (2, −1) at φ = 0: one solution, σ = 3/2 = |v_t⁺|. \
-            (1/4, −1): sticks, σ = 0 in every solution. (1/2, −1): sticks on the boundary, σ = 0. Open (φ/h = 10, free velocity (2, 0)): λ \
-            = β = 0 and the family σ ≥ 2. In space, friction along the axes, free velocity (2, 2) and −1 along the normal: one solution, \
-            σ = 7/4, and σ² is half of |v_t⁺|².",
+        correct_statement: r"$\sigma = \max(-d_j\cdot v^+)$: the slip rate in the plane and along a direction of the polyhedron, less
+            between two, down to $\cos(\pi/d)$ of it. Sticking has $\sigma = 0$ also on the boundary of the cone. At an open contact,
+            which neither sticks nor slides, every $\sigma \ge \max(-d_j\cdot v^+)$ is a solution, and $\sigma$ says nothing.",
+        argument: r"Unit point mass, $\mu = 1/2$, all solutions enumerated. Free velocity $(2, -1)$ at $\varphi = 0$: one solution,
+            $\sigma = 3/2 = |v_t^+|$. $(1/4, -1)$: sticks, $\sigma = 0$ in every solution. $(1/2, -1)$: sticks on the boundary,
+            $\sigma = 0$. Open ($\varphi/h = 10$, free velocity $(2, 0)$): $\lambda = \beta = 0$ and the family $\sigma \ge 2$. In space,
+            friction along the axes, free velocity $(2, 2)$ and −1 along the normal: one solution, $\sigma = 7/4$, and $\sigma^2$ is half
+            of $|v_t^+|^2$.",
         controls: &[
             "The open contact in place of the one that slides.",
             "A slide at 2 m/s in place of what sticks.",
@@ -42,29 +43,32 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "Several solutions arise with friction or redundant contacts: σ at an open contact, β when sticking, impulses \
-            (not velocities) of a block on four frictionless corners, and even velocities for Painlevé's rod. The frictionless three-ball \
-            chain has exactly one solution; its ambiguity lies in the impact law.",
-        argument: "Painlevé's rod (cos = 3/5, μ = 2, free normal velocity 1/10) has 3 solutions with 3 different velocities after the \
-            step. Four corners (1, ±1, ±1): W has rank 3, the impulses form a family, W·P is the same for all. Three equal balls in a row: \
-            W = [[2, −1], [−1, 2]] has minors 2, 2, 3 > 0, so one solution for every q.",
+        correct_statement: r"Several solutions arise with friction or redundant contacts: $\sigma$ at an open contact, $\beta$ when
+            sticking, impulses (not velocities) of a block on four frictionless corners, and even velocities for Painlevé's rod. The
+            frictionless three-ball chain has exactly one solution; its ambiguity lies in the impact law.",
+        argument: r"Painlevé's rod (cos $= 3/5$, $\mu = 2$, free normal velocity 1/10) has 3 solutions with 3 different velocities after
+            the step. Four corners $(1, \pm1, \pm1)$: $W$ has rank 3, the impulses form a family, $W\cdot P$ is the same for all. Three
+            equal balls in a row: $W = \begin{bmatrix}2 & -1 \\ -1 & 2\end{bmatrix}$ has minors 2, 2, $3 > 0$, so one solution for every
+            $q$.",
         controls: &[
-            "The four corners in place of the three-ball row: not a P-matrix.",
-            "μ = 1 in place of 2 for the rod, and one corner of the block fewer.",
+            r"The four corners in place of the three-ball row: not a $P$-matrix.",
+            r"$\mu = 1$ in place of 2 for the rod, and one corner of the block fewer.",
         ],
         sources: &["chapter §4, pitfall “solvable means unique”"],
         check: check!(several_solutions),
     },
     Claim {
         id: "S4.pmatrix",
-        statement: "Uniqueness needs a stronger condition, for instance that M_LCP is a P-matrix.",
+        statement: r"Uniqueness needs a stronger condition, for instance that $M_\text{LCP}$ is a $P$-matrix.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, for any LCP. A Stewart–Trinkle matrix is never a P-matrix: its diagonal entry at σ is 0.",
-        argument: "Principal minor {σ} = 0, whatever μ and W̃. Uniqueness can only be had for velocities or in the absence of friction.",
-        controls: &["The matrix (1, 2; 2, 1), which is no P-matrix, in place of that of three balls."],
+        correct_statement: r"As stated, for any LCP. A Stewart–Trinkle matrix is never a $P$-matrix: its diagonal entry at $\sigma$ is
+            0.",
+        argument: r"Principal minor $\{\sigma\} = 0$, whatever $\mu$ and $\tilde W$. Uniqueness can only be had for velocities or in the
+            absence of friction.",
+        controls: &[r"The matrix $(1, 2; 2, 1)$, which is no $P$-matrix, in place of that of three balls."],
         sources: &["chapter §4, pitfall “solvable means unique”", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.3"],
         check: check!(never_p),
     },
@@ -75,11 +79,11 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As a function of q the solution is piecewise linear; its one-sided derivatives differ where the active set \
+        correct_statement: r"As a function of $q$ the solution is piecewise linear; its one-sided derivatives differ where the active set
             changes.",
-        argument: "W = 1: λ(q) = max(0, −q). At q = 0 the left slope is −1, the right slope 0; at q = −1, inside one active set, both are \
-            −1.",
-        controls: &["A point inside one active set, q = −1.", "A point inside the other, q = 1."],
+        argument: r"$W = 1$: $\lambda(q) = \max(0, -q)$. At $q = 0$ the left slope is −1, the right slope 0; at $q = -1$, inside one
+            active set, both are −1.",
+        controls: &[r"A point inside one active set, $q = -1$.", r"A point inside the other, $q = 1$."],
         sources: &["chapter §4, summary"],
         check: check!(kink),
     },

@@ -12,20 +12,21 @@ use crate::solvers::lemke::{LemkeOutcome, lemke};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.feasible",
-        statement: "The Stewart–Trinkle LCP is always feasible: β = 0, λ_n = 0, σ = 0 with free motion gives a feasible point (“the \
-            degenerate case can be constructed”).",
+        statement: r"The Stewart–Trinkle LCP is always feasible: $\beta = 0$, $\lambda_n = 0$, $\sigma = 0$ with free motion gives a
+            feasible point (“the degenerate case can be constructed”).",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "Zero is infeasible at every closing contact, and the LCP itself can be infeasible. If every gap is ≥ 0 it is \
-            feasible, indeed solvable.",
-        argument: "At zero the normal slack is φ/h + n·v_free, negative whenever the free motion would penetrate. A point between two \
-            walls that both penetrate it (normals ±y, φ₁ = φ₂ = −1, h = 1): the two normal rows demand v_y ≥ 1 and −v_y ≥ 1; their sum is \
-            a Farkas certificate against any v_y, with any λ, β, σ. With φ₁ = φ₂ = 0 the same walls are feasible.",
+        correct_statement: r"Zero is infeasible at every closing contact, and the LCP itself can be infeasible. If every gap is $\ge 0$ it
+            is feasible, indeed solvable.",
+        argument: r"At zero the normal slack is $\varphi/h + n\cdot v_\text{free}$, negative whenever the free motion would penetrate. A
+            point between two walls that both penetrate it (normals $\pm y$, $\varphi_1 = \varphi_2 = -1$, $h = 1$): the two normal rows
+            demand $v_y \ge 1$ and $-v_y \ge 1$; their sum is a Farkas certificate against any $v_y$, with any $\lambda$, $\beta$,
+            $\sigma$. With $\varphi_1 = \varphi_2 = 0$ the same walls are feasible.",
         controls: &[
             "The same two walls with gaps 0, and a contact that opens in place of the closing one.",
-            "Gaps −1 in place of 0, and a friction row with the sign of μ wrong.",
+            r"Gaps −1 in place of 0, and a friction row with the sign of $\mu$ wrong.",
         ],
         sources: &["chapter §4, corollary “every step is solvable”"],
         check: check!(feasible),
@@ -37,17 +38,18 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "A step is solvable if bᵀλ ≥ 0 for all λ, β ≥ 0 with nλ + Dβ = 0 and Eᵀβ ≤ μλ (b = φ/h); in particular if all \
-            gaps are ≥ 0 (any μ, redundancy, jamming) or the friction cone is pointed (any gap). Otherwise it may be feasible and \
-            unsolvable.",
-        argument: "One contact with n = 3/5, d = ±4/5 on a unit mass with one velocity, μ = 1, φ/h = −1: q = (−1, 0, 0, 0). z = (3, 0, 0, \
-            2) is feasible, none of the complementary cones contains q, and Lemke ends on a ray: to separate, friction must point against \
-            the motion, and β₂ = λ takes back 4/5 of every 3/5 that λ gives. A point in a wedge with normals (±4/5, 3/5) and φ = −h on \
-            both sides is solvable for μ = 7/10 and not for μ = 3/4. Newton's law on the normal alone (φ = 0, e = 1/2, v = −1, so q = \
-            (−9/10, −4/5, 4/5, 0)) is unsolvable with the same matrix; with e on the full vector it is solvable.",
+        correct_statement: r"A step is solvable if $b^T\lambda \ge 0$ for all $\lambda$, $\beta \ge 0$ with $n\lambda + D\beta = 0$ and
+            $E^T\beta \le \mu\lambda$ ($b = \varphi/h$); in particular if all gaps are $\ge 0$ (any $\mu$, redundancy, jamming) or the
+            friction cone is pointed (any gap). Otherwise it may be feasible and unsolvable.",
+        argument: r"One contact with $n = 3/5$, $d = \pm4/5$ on a unit mass with one velocity, $\mu = 1$, $\varphi/h = -1$:
+            $q = (-1, 0, 0, 0)$. $z = (3, 0, 0, 2)$ is feasible, none of the complementary cones contains $q$, and Lemke ends on a ray: to
+            separate, friction must point against the motion, and $\beta_2 = \lambda$ takes back 4/5 of every 3/5 that $\lambda$ gives. A
+            point in a wedge with normals $(\pm4/5, 3/5)$ and $\varphi = -h$ on both sides is solvable for $\mu = 7/10$ and not for
+            $\mu = 3/4$. Newton's law on the normal alone ($\varphi = 0$, $e = 1/2$, $v = -1$, so $q = (-9/10, -4/5, 4/5, 0)$) is
+            unsolvable with the same matrix; with $e$ on the full vector it is solvable.",
         controls: &[
-            "No friction, μ = 0 in the jamming matrix and in the wedge: copositive-plus, and every step has a solution.",
-            "In place of what can be solved: two walls that overlap, restitution of the normal alone, the wedge with μ = 3/4, a point \
+            r"No friction, $\mu = 0$ in the jamming matrix and in the wedge: copositive-plus, and every step has a solution.",
+            r"In place of what can be solved: two walls that overlap, restitution of the normal alone, the wedge with $\mu = 3/4$, a point
                 inside it.",
         ],
         sources: &["chapter §4, corollary “every step is solvable”", "proof: module certificate::existence"],

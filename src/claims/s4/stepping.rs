@@ -12,17 +12,18 @@ use crate::tolerance::claims::lcp as tolerance;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.linearised",
-        statement: "In practice the non-linear gap is linearised: φ + h∇φᵀv⁺ ≥ 0; against the velocity level of Moreau–Jean this adds the \
-            term φ/h.",
+        statement: r"In practice the non-linear gap is linearised: $\varphi + h\nabla\varphi^Tv^+ \ge 0$; against the velocity level of
+            Moreau–Jean this adds the term $\varphi/h$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "φ/h + ∇φᵀv⁺ ≥ 0, with a residual of O(h²) per step, −½h²v²/R on a circle of radius R.",
-        argument: "A bead h/4 inside the unit circle that moves at 1 m/s along it and at 1 m/s towards it: the linearised constraint is \
-            met with 0 and the gap after the step is 1 − √(1 + h²) ∈ (−½h², −½h² + h⁴/8). A contact at φ = 1/4 with h = 1/64 enters the \
-            law with the shift φ/h = 16.",
-        controls: &["Moreau–Jean, whose shift e·u_n does not contain the gap."],
+        correct_statement: r"$\varphi/h + \nabla\varphi^Tv^+ \ge 0$, with a residual of $O(h^2)$ per step, $-\tfrac12h^2v^2/R$ on a circle
+            of radius $R$.",
+        argument: r"A bead $h/4$ inside the unit circle that moves at 1 m/s along it and at 1 m/s towards it: the linearised constraint is
+            met with 0 and the gap after the step is $1 - \sqrt{1 + h^2} \in (-\tfrac12h^2, -\tfrac12h^2 + h^4/8)$. A contact at
+            $\varphi = 1/4$ with $h = 1/64$ enters the law with the shift $\varphi/h = 16$.",
+        controls: &[r"Moreau–Jean, whose shift $e\cdot u_n$ does not contain the gap."],
         sources: &["chapter §4, step 1 of the construction"],
         check: check!(linearised),
     },
@@ -33,47 +34,51 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated, with the position extrapolated by the new velocity, q⁺ = q + hv⁺, as the constraint is written: on \
-            a floor the gap stays ≥ 0, on a curved contact ≥ −½h²·max v²/R, and nothing accumulates. (A trapezoidal update in its place \
-            would make the plastic ball rebound for every h.)",
-        argument: "The constraint gives |q| + h q̂·v ≤ R, so |q + hv| ≤ √(R² + h²v²) ≤ R + h²v²/2R, whatever happened before. Bead, R = 1, \
-            v = 1, h = 1/100, 200 steps: gap ≥ −½h²v². A plastic ball that falls on a floor: the least gap of 50 exact steps is 0.",
-        controls: &["Moreau–Jean on the same circle, which drifts out by √(1 + nh²v²) − 1."],
+        correct_statement: r"As stated, with the position extrapolated by the new velocity, $q^+ = q + hv^+$, as the constraint is
+            written: on a floor the gap stays $\ge 0$, on a curved contact $\ge -\tfrac12h^2$·max $v^2/R$, and nothing accumulates. (A
+            trapezoidal update in its place would make the plastic ball rebound for every $h$.)",
+        argument: r"The constraint gives $|q| + h\,\hat q\cdot v \le R$, so $|q + hv| \le \sqrt{R^2 + h^2v^2} \le R + h^2v^2/2R$, whatever
+            happened before. Bead, $R = 1$, $v = 1$, $h = 1/100$, 200 steps: gap $\ge -\tfrac12h^2v^2$. A plastic ball that falls on a
+            floor: the least gap of 50 exact steps is 0.",
+        controls: &[r"Moreau–Jean on the same circle, which drifts out by $\sqrt{1 + nh^2v^2} - 1$."],
         sources: &["chapter §4, table Stewart–Trinkle versus Moreau–Jean"],
         check: check!(no_drift),
     },
     Claim {
         id: "S4.brake",
-        statement: "Because of φ/h Stewart–Trinkle can brake before contact; Moreau–Jean waits until φ = 0.",
+        statement: r"Because of $\varphi/h$ Stewart–Trinkle can brake before contact; Moreau–Jean waits until $\varphi = 0$.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "A ball that would pass the floor within the step gets v⁺ = −φ/h; the impact is spread over two steps, with the \
-            total impulse m|v|. Moreau–Jean waits if it is activated by φ ≤ 0; with the forecast φ + h v_free of §12 it brakes as early, \
-            and to v⁺ = 0.",
-        argument: "m = 1, v = −1, h = 1/10, φ = 3/100, no gravity: v⁺ = −3/10 with impulse 7/10, then v⁺ = 0 with impulse 3/10. \
-            Moreau–Jean in the same step: v⁺ = −1 activated by the gap, 0 activated by the forecast.",
+        correct_statement: r"A ball that would pass the floor within the step gets $v^+ = -\varphi/h$; the impact is spread over two
+            steps, with the total impulse $m|v|$. Moreau–Jean waits if it is activated by $\varphi \le 0$; with the forecast
+            $\varphi + h\,v_\text{free}$ of §12 it brakes as early, and to $v^+ = 0$.",
+        argument: r"$m = 1$, $v = -1$, $h = 1/10$, $\varphi = 3/100$, no gravity: $v^+ = -3/10$ with impulse 7/10, then $v^+ = 0$ with
+            impulse 3/10. Moreau–Jean in the same step: $v^+ = -1$ activated by the gap, 0 activated by the forecast.",
         controls: &[
-            "Moreau–Jean with activation φ ≤ 0 in place of Stewart–Trinkle: nothing brakes.",
-            "A ball at φ = 3/10, too far to touch in two steps.",
-            "A ball that touches already, φ = 0.",
+            r"Moreau–Jean with activation $\varphi \le 0$ in place of Stewart–Trinkle: nothing brakes.",
+            r"A ball at $\varphi = 3/10$, too far to touch in two steps.",
+            r"A ball that touches already, $\varphi = 0$.",
         ],
         sources: &["chapter §4, end of the comparison with Moreau–Jean"],
         check: check!(brake),
     },
     Claim {
         id: "S4.pushout",
-        statement: "For φ < 0 the term φ/h actively pushes the body out, so Stewart–Trinkle needs no Baumgarte stabilisation.",
+        statement: r"For $\varphi < 0$ the term $\varphi/h$ actively pushes the body out, so Stewart–Trinkle needs no Baumgarte
+            stabilisation.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "It corrects penetration within one step, v⁺ = |φ|/h, where the step has a solution; with penetration the LCP \
-            may have none, as in a wedge whose friction cone is not pointed. The push injects the kinetic energy ½m(φ/h)², unbounded as h \
-            → 0 for a given penetration: penetrations must be O(h²), as the scheme's own are.",
-        argument: "Penetration 1 mm, m = 1: v⁺ = 1/10, 1, 10 m/s at h = 10⁻², 10⁻³, 10⁻⁴; the last is 50 J. In the wedge of S4.solvable \
-            both walls are penetrated: with μ = 7/10 the step pushes the point out, with μ = 3/4 there is no step.",
+        correct_statement: r"It corrects penetration within one step, $v^+ = |\varphi|/h$, where the step has a solution; with penetration
+            the LCP may have none, as in a wedge whose friction cone is not pointed. The push injects the kinetic energy
+            $\tfrac12m(\varphi/h)^2$, unbounded as $h \to 0$ for a given penetration: penetrations must be $O(h^2)$, as the scheme's own
+            are.",
+        argument: r"Penetration 1 mm, $m = 1$: $v^+ = 1/10$, 1, 10 m/s at $h = 10^{-2}$, $10^{-3}$, $10^{-4}$; the last is 50 J. In the
+            wedge of S4.solvable both walls are penetrated: with $\mu = 7/10$ the step pushes the point out, with $\mu = 3/4$ there is no
+            step.",
         controls: &["Moreau–Jean, which leaves the body where it is.", "The two coefficients of the wedge exchanged."],
         sources: &["chapter §4, pitfall “position level versus velocity level”"],
         check: check!(push_out),
@@ -86,28 +91,30 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated, with the drift that the table names: they produce the same iterates in persistent contact if φ is \
-            linear, e·u_n = 0, and both update q⁺ = q + hv⁺. On a curved constraint Moreau–Jean drifts and Stewart–Trinkle does not.",
-        argument: "Block on a 20° incline, μ = 0.3 (slides) and 0.5 (sticks), 50 steps: the same to rounding. Bead on the unit circle, h = \
-            1/100, 2 s: Moreau–Jean ends outside by √(1 + nh²v²) − 1 with v between 1 − nh²/2 and 1, about 9.9e-3 m; Stewart–Trinkle by \
-            at most ½h²v² = 5e-5 m.",
+        correct_statement: r"As stated, with the drift that the table names: they produce the same iterates in persistent contact if
+            $\varphi$ is linear, $e\cdot u_n = 0$, and both update $q^+ = q + hv^+$. On a curved constraint Moreau–Jean drifts and
+            Stewart–Trinkle does not.",
+        argument: r"Block on a 20° incline, $\mu = 0.3$ (slides) and 0.5 (sticks), 50 steps: the same to rounding. Bead on the unit
+            circle, $h = 1/100$, 2 s: Moreau–Jean ends outside by $\sqrt{1 + nh^2v^2} - 1$ with $v$ between $1 - nh^2/2$ and 1, about
+            9.9e-3 m; Stewart–Trinkle by at most $\tfrac12h^2v^2 = \text{5e-5}$ m.",
         controls: &["The bead on the circle in place of the block on the incline.", "The two schemes exchanged on the circle."],
         sources: &["chapter §4, end of the comparison with Moreau–Jean; §2, table of the two levels"],
         check: check!(persistent_contact),
     },
     Claim {
         id: "S4.conv-chain",
-        statement: "Skeleton of the convergence proof (M ≻ 0 Lipschitz, F continuous, μ bounded): a uniform bound on the variation of v_h, \
-            Helly's selection theorem, weak* compactness of a subsequence of the impulses, and the limit satisfies the measure \
-            differential inclusion.",
+        statement: r"Skeleton of the convergence proof ($M \succ 0$ Lipschitz, $F$ continuous, $\mu$ bounded): a uniform bound on the
+            variation of $v_h$, Helly's selection theorem, weak* compactness of a subsequence of the impulses, and the limit satisfies the
+            measure differential inclusion.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "Its first link needs starting positions that do not penetrate (or only by O(h)) and a pointed friction cone \
+        correct_statement: r"Its first link needs starting positions that do not penetrate (or only by $O(h)$) and a pointed friction cone
             (S11.bv); what the closed graph still lacks at the end is in S11.step4. Only the first link is tested here.",
-        argument: "Plastic ball from height 1, T = 1: impulses are ≥ 0 and v ≤ 0, so TV(v_h) ≤ gT + Σr/m = 2gT + v_N − v_0 ≤ 2gT = 19.62 \
-            for every h = 2⁻⁴ … 2⁻¹². From a penetration of 1/64 the first step alone makes TV ≥ 1/(64h).",
+        argument: r"Plastic ball from height 1, $T = 1$: impulses are $\ge 0$ and $v \le 0$, so $\operatorname{TV}(v_h) \le gT + \sum r/m
+            = 2gT + v_N - v_0 \le 2gT = 19.62$ for every $h = 2^{-4}$ … $2^{-12}$. From a penetration of 1/64 the first step alone makes
+            TV $\ge 1/(64h)$.",
         controls: &["A start 1/64 m above the floor in place of one as far inside.", "A ball thrown down at 20 m/s."],
         sources: &["chapter §4, convergence; §11, four steps", "Stewart 1998 (not read)"],
         check: check!(bounded_variation),

@@ -13,19 +13,19 @@ use moreau_exact::witness::decided;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S5.relaxed-constraint",
-        statement: "The relaxed friction constraint is μ(n·v) + ‖Dᵀv‖ ≤ 0 (so printed in the section on creep; the display of step 3 is \
-            not legible in the source).",
+        statement: r"The relaxed friction constraint is $\mu(n\cdot v) + \|D^Tv\| \le 0$ (so printed in the section on creep; the display
+            of step 3 is not legible in the source).",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "n·v + φ/h ≥ μ‖Dᵀv‖: the law velocity lies in the dual cone K_μ*.",
-        argument: "The printed set is −K_μ. It demands n·v ≤ 0, so it excludes separation, and steady sliding: with μ = 1/2 the velocity \
-            (1/2, 1) of a relaxed step is in K_μ* and orthogonal to its impulse, and the printed sum of two positive numbers should not \
-            exceed 0. Reversing n gives K_μ, not K_μ*: μ stands on the wrong factor unless μ = 1. As the polar cone it fails too: (−1, \
-            19/10) is in K_μ° but not in the printed set.",
+        correct_statement: r"$n\cdot v + \varphi/h \ge \mu\|D^Tv\|$: the law velocity lies in the dual cone $K_\mu^*$.",
+        argument: r"The printed set is $-K_\mu$. It demands $n\cdot v \le 0$, so it excludes separation, and steady sliding: with
+            $\mu = 1/2$ the velocity $(1/2, 1)$ of a relaxed step is in $K_\mu^*$ and orthogonal to its impulse, and the printed sum of
+            two positive numbers should not exceed 0. Reversing $n$ gives $K_\mu$, not $K_\mu^*$: $\mu$ stands on the wrong factor unless
+            $\mu = 1$. As the polar cone it fails too: $(-1, 19/10)$ is in $K_\mu^\circ$ but not in the printed set.",
         controls: &[
-            "The dual cone K_μ* as the constraint: both velocities meet it.",
+            r"The dual cone $K_\mu^*$ as the constraint: both velocities meet it.",
             "Coulomb's step in place of the relaxed one: its impulse takes power from the sliding velocity.",
         ],
         sources: &[
@@ -36,21 +36,21 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S5.proj",
-        statement: "The projection on K has three cases: inside, unchanged; the force points along the negative normal (it would pull), \
+        statement: r"The projection on $K$ has three cases: inside, unchanged; the force points along the negative normal (it would pull),
             zero; outside, the cone's surface. (The formula is not legible in the source; these are its words.)",
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "Zero iff z is in the polar cone, μ‖z_t‖ ≤ −z_n; on the surface r_n = (z_n + μ‖z_t‖)/(1 + μ²), r_t = μ r_n \
-            z_t/‖z_t‖.",
-        argument: "Taken as the rule \"z_n < 0 gives 0\" the words are wrong: for μ = 1 and z = (−1/10, 1) the nearest point is (9/20, \
-            9/20), at the squared distance 121/200, while 0 is at 101/100. Taken as the gloss on the standard result the text refers to, \
-            they are right: what is sent to 0 has z_n < 0 or is 0. On a grid of 81 points the formula in rationals meets the three \
-            conditions that characterise the projection, and the library's projection agrees with it.",
+        correct_statement: r"Zero iff $z$ is in the polar cone, $\mu\|z_t\| \le -z_n$; on the surface
+            $r_n = (z_n + \mu\|z_t\|)/(1 + \mu^2)$, $r_t = \mu\,r_n\,z_t/\|z_t\|$.",
+        argument: r#"Taken as the rule "$z_n < 0$ gives 0" the words are wrong: for $\mu = 1$ and $z = (-1/10, 1)$ the nearest point is
+            $(9/20, 9/20)$, at the squared distance 121/200, while 0 is at 101/100. Taken as the gloss on the standard result the text
+            refers to, they are right: what is sent to 0 has $z_n < 0$ or is 0. On a grid of 81 points the formula in rationals meets the
+            three conditions that characterise the projection, and the library's projection agrees with it."#,
         controls: &[
-            "The words as the rule: every z with z_n < 0 goes to 0.",
-            "The sign of z_n reversed in the test for zero, μ‖z_t‖ ≤ z_n.",
+            r"The words as the rule: every $z$ with $z_n < 0$ goes to 0.",
+            r"The sign of $z_n$ reversed in the test for zero, $\mu\|z_t\| \le z_n$.",
         ],
         sources: &["chapter §5, analytic cone projection"],
         check: check!(projection),
@@ -62,15 +62,16 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "At a fixed point r = P_K(r − η y) of the cone complementarity problem, with y ≠ 0 unless it sticks; for an \
-            arbitrary iterate the case says nothing about the state.",
-        argument: "At solutions: y = 0 gives z = r ∈ K; y ∈ int K* gives r = 0 and z = −η y ∈ K°; y ≠ 0 on ∂K* orthogonal to r ≠ 0 gives z \
-            outside both. Away from them: W = I, u_free = (−1, −2), μ = 1/2 slips, r = (8/5, 4/5), \
-            but for the iterate r = (4, 0) with η = 1/2 the point z lies inside the cone – \"stick\".",
+        correct_statement: r"At a fixed point $r = P_K(r - \eta\,y)$ of the cone complementarity problem, with $y \ne 0$ unless it sticks;
+            for an arbitrary iterate the case says nothing about the state.",
+        argument: r#"At solutions: $y = 0$ gives $z = r \in K$; $y \in \operatorname{int} K^*$ gives $r = 0$ and
+            $z = -\eta\,y \in K^\circ$; $y \ne 0$ on $\partial K^*$ orthogonal to $r \ne 0$ gives $z$ outside both. Away from them:
+            $W = I$, $u_\text{free} = (-1, -2)$, $\mu = 1/2$ slips, $r = (8/5, 4/5)$, but for the iterate $r = (4, 0)$ with $\eta = 1/2$
+            the point $z$ lies inside the cone – "stick"."#,
         controls: &[
             "The fixed point of a block that sticks in place of the iterate.",
-            "z = r + η y, the sign of the step reversed.",
-            "μ = 1/5 in the projection, 1/2 in the step.",
+            r"$z = r + \eta\,y$, the sign of the step reversed.",
+            r"$\mu = 1/5$ in the projection, 1/2 in the step.",
         ],
         sources: &["chapter §5, physical meaning of the three cases"],
         check: check!(projection_states),
@@ -83,14 +84,15 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "Of APGD, yes. SAP projects in the norm of the regularisation R, with μ̂ = μ R_t/R_n in the case conditions, \
-            inside a Newton method on velocities; the two projections agree for R_t = R_n only.",
-        argument: "argmin over K of ½(γ − y)ᵀR(γ − y), R = diag(R_n, R_t), is characterised by γ ∈ K, R(y − γ) ∈ K°, γ·R(y − γ) = 0; in \
-            the third case γ_n = (y_n + μ̂‖y_t‖)/(1 + μ μ̂). With R_t/R_n = 1/1000, μ = 1/2, y = (1, 2): \
-            γ_n = 4004/4001 against 8/5 of the Euclidean projection, which violates the characterisation.",
+        correct_statement: r"Of APGD, yes. SAP projects in the norm of the regularisation $R$, with $\hat\mu = \mu\,R_t/R_n$ in the case
+            conditions, inside a Newton method on velocities; the two projections agree for $R_t = R_n$ only.",
+        argument: r"argmin over $K$ of $\tfrac12(\gamma - y)^TR(\gamma - y)$, $R = \operatorname{diag}(R_n, R_t)$, is characterised by
+            $\gamma \in K$, $R(y - \gamma) \in K^\circ$, $\gamma\cdot R(y - \gamma) = 0$; in the third case
+            $\gamma_n = (y_n + \hat\mu\|y_t\|)/(1 + \mu\,\hat\mu)$. With $R_t/R_n = 1/1000$, $\mu = 1/2$, $y = (1, 2)$:
+            $\gamma_n = 4004/4001$ against 8/5 of the Euclidean projection, which violates the characterisation.",
         controls: &[
-            "R_t = R_n: the projection in the R-norm is the Euclidean one.",
-            "The two projections exchanged: the Euclidean one for SAP, that in the R-norm for APGD.",
+            r"$R_t = R_n$: the projection in the $R$-norm is the Euclidean one.",
+            r"The two projections exchanged: the Euclidean one for SAP, that in the $R$-norm for APGD.",
         ],
         sources: &[
             "chapter §5, analytic cone projection",
@@ -108,9 +110,9 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "It is Lipschitz and piecewise smooth. It is continuously differentiable where strict complementarity and \
             nondegeneracy hold, not across a change of the active set.",
-        argument: "min ½(x − θ)² over x ≥ 0 is strictly convex; x = max(0, θ) has the one-sided derivatives 0 and 1 at θ = 0. With \
-            friction, min ½‖γ‖² + r·γ over K_{1/2} (W = I): at the change from stick to slip, r = (−2, 1), \
-            ∂(γ_n, γ_t)/∂r_t jumps from (0, −1) to (2/5, −1/5).",
+        argument: r"min $\tfrac12(x - \theta)^2$ over $x \ge 0$ is strictly convex; $x = \max(0, \theta)$ has the one-sided derivatives 0
+            and 1 at $\theta = 0$. With friction, min $\tfrac12\|\gamma\|^2 + r\cdot\gamma$ over $K_{1/2}$ ($W = I$): at the change from
+            stick to slip, $r = (-2, 1)$, $\partial(\gamma_n, \gamma_t)/\partial r_t$ jumps from $(0, -1)$ to $(2/5, -1/5)$.",
         controls: &["A parameter inside the sticking region, where strict complementarity holds."],
         sources: &[
             "chapter §5, differentiability of the relaxed problem",

@@ -8,19 +8,19 @@ use crate::tolerance::claims::pathology::{AT_REST, creep};
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "S5.sap-doc",
-    statement: "Drake's documentation of SAP calls it “O(δt) gliding”: a block at rest on a slope, which friction should hold, slides down \
-        extremely slowly, at a speed proportional to the step.",
+    statement: r"Drake's documentation of SAP calls it “$O(\delta t)$ gliding”: a block at rest on a slope, which friction should hold,
+        slides down extremely slowly, at a speed proportional to the step.",
     verdict: ClaimVerdict::False,
     kind: Kind::Citation,
     severity: Some(Severity::WrongStatement),
     evidence: Evidence::Cited,
-    correct_statement: "Drake calls gliding what happens in sliding contact, under kSap and kSimilar: the block is lifted by (δt + τ) μ v. \
-        Under kSap that vanishes with δt only without relaxation time. A block at rest does creep by O(δt) under kSap, but by its \
-        regularised friction, for which Drake has no such name.",
-    argument: "Documentation of 1.51.1: kSap and kSimilar introduce gliding \"in sliding contact\", O(δt); kLagged does not suffer from \
-        it. Under kLagged a block at rest creeps (its friction is regularised), and a slide at 0.7 instead of 0.2 m/s, μ = 0.3, is lifted \
-        by nothing: so what is documented is the lift and not the creep. Under kSap with τ = 0.005 s the same slide is lifted by 1.35e-3 m \
-        at h = 0.004 s and by 1.95e-3 m at 0.008 s; the creep at rest halves with h.",
+    correct_statement: r"Drake calls gliding what happens in sliding contact, under kSap and kSimilar: the block is lifted by
+        $(\delta t + \tau)\,\mu\,v$. Under kSap that vanishes with $\delta t$ only without relaxation time. A block at rest does creep by
+        $O(\delta t)$ under kSap, but by its regularised friction, for which Drake has no such name.",
+    argument: r#"Documentation of 1.51.1: kSap and kSimilar introduce gliding "in sliding contact", $O(\delta t)$; kLagged does not suffer
+        from it. Under kLagged a block at rest creeps (its friction is regularised), and a slide at 0.7 instead of 0.2 m/s, $\mu = 0.3$,
+        is lifted by nothing: so what is documented is the lift and not the creep. Under kSap with $\tau = 0.005$ s the same slide is
+        lifted by 1.35e-3 m at $h = 0.004$ s and by 1.95e-3 m at 0.008 s; the creep at rest halves with $h$."#,
     controls: &["Coulomb's hard friction in place of kLagged's regularised one: the block at rest stays.", "kSap and kLagged exchanged."],
     sources: &[
         "chapter §5, the price of the relaxation",

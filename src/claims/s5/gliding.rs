@@ -8,27 +8,23 @@ use crate::problem::Law;
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "S5.gliding-creep",
-        statement: "Anitescu's relaxation produces a visible artefact: when the normal force is large, an object that should stick gets a \
-            tiny tangential slip, of order O(h). (The example, a block at rest on an incline, is given of Drake's SAP.)",
+        statement: r"Anitescu's relaxation produces a visible artefact: when the normal force is large, an object that should stick gets a
+            tiny tangential slip, of order $O(h)$. (The example, a block at rest on an incline, is given of Drake's SAP.)",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "The hard relaxation sticks exactly: from rest at φ = 0 with tan α ≤ μ its step keeps v = 0. Its artefact \
-            belongs to sliding contacts, which \
-                            hover at the gap φ = μ h |v_t|. Creep of order h in stick belongs to schemes that also regularise friction, \
-                            such as \
-                            Drake's SAP with its tangential softness R_t.",
-        argument: "At φ = 0, v = 0 the impulse r = h m g (cos α, −sin α) lies in K_μ for tan α ≤ μ and makes u = 0 ∈ K_μ*; r·u = 0, so \
-            this is the \
-                   step, and v⁺ is unique. 200 exact steps on the 3-4-5 slope, pressed with 8 m/s² as with 8000 m/s², μ = 751/1000 and h = \
-                   1/10, 1/100, 1/1000 give v_t = 0 and φ = 0. \
-                   Sliding (μ = 1/2, started at φ = μ h v_t): complementarity puts u + (φ/h) n on the boundary of K*, φ + h v_n = μ h \
-                   |v_t|, and \
-                   φ/(μ h v_t) = 1 after every step.",
+        correct_statement: r"The hard relaxation sticks exactly: from rest at $\varphi = 0$ with $\tan \alpha \le \mu$ its step keeps
+            $v = 0$. Its artefact belongs to sliding contacts, which hover at the gap $\varphi = \mu\,h\,|v_t|$. Creep of order $h$ in
+            stick belongs to schemes that also regularise friction, such as Drake's SAP with its tangential softness $R_t$.",
+        argument: r"At $\varphi = 0$, $v = 0$ the impulse $r = h\,m\,g\,(\cos \alpha, -\sin \alpha)$ lies in $K_\mu$ for
+            $\tan \alpha \le \mu$ and makes $u = 0 \in K_\mu^*$; $r\cdot u = 0$, so this is the step, and $v^+$ is unique. 200 exact steps
+            on the 3-4-5 slope, pressed with 8 m/s² as with 8000 m/s², $\mu = 751/1000$ and $h = 1/10$, 1/100, 1/1000 give $v_t = 0$ and
+            $\varphi = 0$. Sliding ($\mu = 1/2$, started at $\varphi = \mu\,h\,v_t$): complementarity puts $u + (\varphi/h)\,n$ on the
+            boundary of $K^*$, $\varphi + h\,v_n = \mu\,h\,|v_t|$, and $\varphi/(\mu\,h\,v_t) = 1$ after every step.",
         controls: &[
-            "The same block with the tangential softness R_t = 1/1000 kg⁻¹ of a regularised scheme, which does creep.",
-            "μ = 1/2, with which the block slides and hovers.",
+            r"The same block with the tangential softness $R_t = 1/1000$ kg⁻¹ of a regularised scheme, which does creep.",
+            r"$\mu = 1/2$, with which the block slides and hovers.",
         ],
         sources: &["chapter §5, the price of convexity", "KKT conditions of the convex step"],
         check: check!(no_creep),
@@ -41,59 +37,55 @@ pub(super) const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "The hard relaxation does not creep at all (S5.gliding-creep). With a tangential softness R_t the creep is v = \
-            R_t r_t, proportional to the \
-                            tangential impulse and independent of the normal load.",
-        argument: "The hard relaxation keeps a block that is pressed with 16 m/s² at v_t = 0. With R_t = 1/1000, in stick the law velocity \
-            y_t = u_t + R_t r_t vanishes, so u_t = −R_t r_t whatever r_n is, as long as |r_t| ≤ μ r_n. In 20 exact steps \
-            from rest: pressing twice as hard (g_n 8 → 16 m/s²) changes the speed by the factor 1, pulling twice \
-            as hard along the slope (g_t 3 → 6 m/s²) by the factor 2. (A heavier block does both at once.)",
-        controls: &["A block with R_t = 1/1000, whose whole weight is doubled: its creep is twice as fast."],
+        correct_statement: r"The hard relaxation does not creep at all (S5.gliding-creep). With a tangential softness $R_t$ the creep is
+            $v = R_t\,r_t$, proportional to the tangential impulse and independent of the normal load.",
+        argument: r"The hard relaxation keeps a block that is pressed with 16 m/s² at $v_t = 0$. With $R_t = 1/1000$, in stick the law
+            velocity $y_t = u_t + R_t\,r_t$ vanishes, so $u_t = -R_t\,r_t$ whatever $r_n$ is, as long as $|r_t| \le \mu\,r_n$. In 20 exact
+            steps from rest: pressing twice as hard ($g_n$ $8 \to 16$ m/s²) changes the speed by the factor 1, pulling twice as hard along
+            the slope ($g_t$ $3 \to 6$ m/s²) by the factor 2. (A heavier block does both at once.)",
+        controls: &[r"A block with $R_t = 1/1000$, whose whole weight is doubled: its creep is twice as fast."],
         sources: &["chapter §5, the price of convexity"],
         check: check!(creep_follows_the_tangential_load),
     },
     Claim {
         id: "S5.gliding-mechanism",
-        statement: "The slip arises because the relaxed constraint μ(n·v) + |Dᵀv| ≤ 0 couples the two velocities: in sustained contact, \
-            n·v \
-            ≈ 0, that does no harm, but through the gap term and softening there is a small penetration velocity along the normal, which \
-            leaks into tangential slip.",
+        statement: r"The slip arises because the relaxed constraint $\mu(n\cdot v) + |D^Tv| \le 0$ couples the two velocities: in
+            sustained contact, $n\cdot v \approx 0$, that does no harm, but through the gap term and softening there is a small
+            penetration velocity along the normal, which leaks into tangential slip.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "The constraint is n·v + φ/h ≥ μ|v_t|. It lets tangential motion force normal lift, u_n = μ|u_t|; a normal \
-            approach or a penetration forces no \
-                            tangential motion.",
-        argument: "A block with μ = 1 that arrives with v_n = −1/10 under the tangential load of the 3-4-5 slope stops: v⁺ = (0, 0). The \
-            same block at rest 1/1000 deep leaves with v⁺ = (1/10, 0) for h = 1/100: no slip in that step. (Gravity then acts along the \
-            slope while the contact is open, under Coulomb's law as well.) Conversely a tangential velocity of 1 m/s with μ = 1/2 on \
-            level ground without gravity becomes v_t = 1/(1+μ²) and v_n = μ/(1+μ²) = 2/5. The leak needs the sign as printed: the \
-            set μ n·v + |v_t| ≤ 0 contains the velocity of the free motion into the slope and lets it pass. (One mistake, counted at \
-            S5.relaxed-constraint.)",
+        correct_statement: r"The constraint is $n\cdot v + \varphi/h \ge \mu|v_t|$. It lets tangential motion force normal lift,
+            $u_n = \mu|u_t|$; a normal approach or a penetration forces no tangential motion.",
+        argument: r"A block with $\mu = 1$ that arrives with $v_n = -1/10$ under the tangential load of the 3-4-5 slope stops:
+            $v^+ = (0, 0)$. The same block at rest 1/1000 deep leaves with $v^+ = (1/10, 0)$ for $h = 1/100$: no slip in that step.
+            (Gravity then acts along the slope while the contact is open, under Coulomb's law as well.) Conversely a tangential velocity
+            of 1 m/s with $\mu = 1/2$ on level ground without gravity becomes $v_t = 1/(1 + \mu^2)$ and $v_n = \mu/(1 + \mu^2) = 2/5$. The
+            leak needs the sign as printed: the set $\mu\,n\cdot v + |v_t| \le 0$ contains the velocity of the free motion into the slope
+            and lets it pass. (One mistake, counted at S5.relaxed-constraint.)",
         controls: &["The printed set: the velocity it leaves to either block is its free one, because the set contains it."],
         sources: &["chapter §5, the price of convexity and exercise 2"],
         check: check!(no_leak),
     },
     Claim {
         id: "S5.glide-h-not-mu",
-        statement: "The O(h) gliding is inherent to the scheme and no wrong parameter; the slip is proportional to h and not (exercise 2) \
-            to the friction coefficient, and raising μ only treats the symptom.",
+        statement: r"The $O(h)$ gliding is inherent to the scheme and no wrong parameter; the slip is proportional to $h$ and not
+            (exercise 2) to the friction coefficient, and raising $\mu$ only treats the symptom.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "True of the creep of a block at rest under a regularised convex scheme (R_t independent of h, as in Drake's \
-            SAP): v = R_t r_t is proportional to h and \
-                            independent of μ. The hard relaxation has no creep; its sliding gap μ h |v_t| is proportional to h and to μ.",
-        argument: "R_t = 1/1000, 20 exact steps from rest on the 3-4-5 slope: the creep with h/10 is 1/10 of that with h, and μ = 1 and μ \
-            = 2 give the same creep, \
-                   because u_t⁺ = (u_t + h g_t)·R_t/(1 + R_t) contains no μ. The gap of a hard slide is φ = μ h v_t: 1/2 and 1/4 of h v_t \
-                   for μ = 1/2 and μ = 1/4.",
+        correct_statement: r"True of the creep of a block at rest under a regularised convex scheme ($R_t$ independent of $h$, as in
+            Drake's SAP): $v = R_t\,r_t$ is proportional to $h$ and independent of $\mu$. The hard relaxation has no creep; its sliding
+            gap $\mu\,h\,|v_t|$ is proportional to $h$ and to $\mu$.",
+        argument: r"$R_t = 1/1000$, 20 exact steps from rest on the 3-4-5 slope: the creep with $h/10$ is 1/10 of that with $h$, and
+            $\mu = 1$ and $\mu = 2$ give the same creep, because $u_t^+ = (u_t + h\,g_t)\cdot R_t/(1 + R_t)$ contains no $\mu$. The gap of
+            a hard slide is $\varphi = \mu\,h\,v_t$: 1/2 and 1/4 of $h\,v_t$ for $\mu = 1/2$ and $\mu = 1/4$.",
         controls: &[
-            "The same block with R_t = 1/1000 in place of the hard relaxation: it slips.",
-            "μ = 1/2 < tan α in place of 1: the block slides.",
-            "A damper in place of the softness, R_t ∝ 1/h, as in MuJoCo: its creep does not shrink with h.",
+            r"The same block with $R_t = 1/1000$ in place of the hard relaxation: it slips.",
+            r"$\mu = 1/2 < \tan \alpha$ in place of 1: the block slides.",
+            r"A damper in place of the softness, $R_t \propto 1/h$, as in MuJoCo: its creep does not shrink with $h$.",
         ],
         sources: &["chapter §5, pitfalls and exercise 2"],
         check: check!(proportional_to_h),

@@ -12,31 +12,32 @@ use moreau_exact::witness::{Part, Witness, decided};
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "S5.step",
-        statement: "The projected gradient iteration uses a step η ≤ 1/‖N‖, the spectral norm of the Delassus operator.",
+        statement: r"The projected gradient iteration uses a step $\eta \le 1/\|N\|$, the spectral norm of the Delassus operator.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "η ≤ 1/‖N‖ suffices (and Nesterov's bound needs it); the plain iteration converges for every η < 2/‖N‖ and not \
-            beyond.",
-        argument: "Inside the cone the error is multiplied by I − ηN, whose factor along the largest eigenvalue L = ‖N‖ is 1 − ηL. N = (2, \
-            −1; −1, 2), L = 3, r = (−1, −1), solution (1, 1): an error of 1/100 along (1, −1) is after ten exact steps 0 for \
-                   η = 1/L, (9/10)¹⁰ of itself for η = 1.9/L and (11/10)¹⁰ for η = 2.1/L.",
-        controls: &["η = 2.1/‖N‖ in place of 1/‖N‖, and half of that in place of 1/(2‖N‖)."],
+        correct_statement: r"$\eta \le 1/\|N\|$ suffices (and Nesterov's bound needs it); the plain iteration converges for every
+            $\eta < 2/\|N\|$ and not beyond.",
+        argument: r"Inside the cone the error is multiplied by $I - \eta N$, whose factor along the largest eigenvalue $L = \|N\|$ is
+            $1 - \eta L$. $N = (2, -1; -1, 2)$, $L = 3$, $r = (-1, -1)$, solution $(1, 1)$: an error of 1/100 along $(1, -1)$ is after ten
+            exact steps 0 for $\eta = 1/L$, $(9/10)^{10}$ of itself for $\eta = 1.9/L$ and $(11/10)^{10}$ for $\eta = 2.1/L$.",
+        controls: &[r"$\eta = 2.1/\|N\|$ in place of $1/\|N\|$, and half of that in place of $1/(2\|N\|)$."],
         sources: &["chapter §5, APGD iteration"],
         check: check!(step_length),
     },
     Claim {
         id: "S5.rates",
-        statement: "Nesterov's acceleration improves the convergence rate of projected gradient from O(1/k) to O(1/k²).",
+        statement: r"Nesterov's acceleration improves the convergence rate of projected gradient from $O(1/k)$ to $O(1/k^2)$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated, as upper bounds for the step 1/L: f(r_k) − f* ≤ L R²/(2k) for the plain and ≤ 2 L R²/(k+1)² for \
-            the accelerated iteration, R = ‖r₀ − r*‖. A well-conditioned problem converges far faster.",
-        argument: "Beck and Teboulle's bounds, asserted at each of the first 300 iterations of a row of 40 pressed masses (N tridiagonal \
-            2, −1, r* from Lemke). With N = I both end after one iteration, so no exponent describes them.",
+        correct_statement: r"As stated, as upper bounds for the step $1/L$: $f(r_k) - f^* \le L\,R^2/(2k)$ for the plain and
+            $\le 2\,L\,R^2/(k + 1)^2$ for the accelerated iteration, $R = \|r_0 - r^*\|$. A well-conditioned problem converges far
+            faster.",
+        argument: r"Beck and Teboulle's bounds, asserted at each of the first 300 iterations of a row of 40 pressed masses ($N$
+            tridiagonal 2, −1, $r^*$ from Lemke). With $N = I$ both end after one iteration, so no exponent describes them.",
         controls: &[
             "The plain iteration held against the accelerated bound, which it breaks.",
             "A plain iteration with a hundredth of the step, which breaks its bound.",
@@ -49,22 +50,22 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S5.one-matvec",
-        statement: "Each iteration needs one product N y (possibly without forming N) and one projection, so that its cost is linear in \
-            the number of contacts.",
+        statement: r"Each iteration needs one product $N\,y$ (possibly without forming $N$) and one projection, so that its cost is linear
+            in the number of contacts.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "One product and one projection per iteration suffice, with the fixed step that the chapter takes. The cost is \
-            linear in the contacts if N is applied as Dᵀ(M⁻¹(Dγ)) and each contact moves few coordinates: assembled, N has k² blocks for \
-            k contacts on one body, and in the joint coordinates of a chain D itself has k²/2 entries.",
-        argument: "A fixed-step implementation that counts its products uses 50 in 50 iterations and reproduces the iterates of the \
-            library's solver. Doubling the contacts from 16 to 32 multiplies the non-zeros of D by 2; of the assembled N \
-            by 4 if all contacts touch one body.",
+        correct_statement: r"One product and one projection per iteration suffice, with the fixed step that the chapter takes. The cost is
+            linear in the contacts if $N$ is applied as $D^T(M^{-1}(D\gamma))$ and each contact moves few coordinates: assembled, $N$ has
+            $k^2$ blocks for $k$ contacts on one body, and in the joint coordinates of a chain $D$ itself has $k^2/2$ entries.",
+        argument: r"A fixed-step implementation that counts its products uses 50 in 50 iterations and reproduces the iterates of the
+            library's solver. Doubling the contacts from 16 to 32 multiplies the non-zeros of $D$ by 2; of the assembled $N$ by 4 if all
+            contacts touch one body.",
         controls: &[
-            "Every contact on a body of its own: the non-zeros of N grow as those of D.",
+            r"Every contact on a body of its own: the non-zeros of $N$ grow as those of $D$.",
             "An exact line search, which needs a second product in every iteration.",
-            "A contact on each link of a chain in joint coordinates: D is a full triangle.",
+            r"A contact on each link of a chain in joint coordinates: $D$ is a full triangle.",
         ],
         sources: &["chapter §5, APGD iteration"],
         check: check!(products),

@@ -57,11 +57,11 @@ pub(super) const CLAIMS: &[Claim] = &[
         kind: Kind::Citation,
         severity: None,
         evidence: Evidence::Cited,
-        correct_statement: "As stated; SAP with regularisation R > 0.",
-        argument: "The relaxation lifts a sliding block by (h + τ) μ v, Coulomb's law by nothing: Drake's own block under kSap rises so \
-            from 0.3 s to 0.9 s of the stored run, and under kLagged not at all. Chrono's source has the cone complementarity \
-            problem (S10.chrono-row). The pinned Siconos has, among its solvers for friction, FRICTION_3D_SOCLCP, over second-order \
-            cones, and FRICTION_3D_GAMS_LCP_PATH, over polyhedral ones.",
+        correct_statement: r"As stated; SAP with regularisation $R > 0$.",
+        argument: r"The relaxation lifts a sliding block by $(h + \tau)\,\mu\,v$, Coulomb's law by nothing: Drake's own block under kSap
+            rises so from 0.3 s to 0.9 s of the stored run, and under kLagged not at all. Chrono's source has the cone complementarity
+            problem (S10.chrono-row). The pinned Siconos has, among its solvers for friction, FRICTION_3D_SOCLCP, over second-order cones,
+            and FRICTION_3D_GAMS_LCP_PATH, over polyhedral ones.",
         controls: &[
             "Drake's stored run under kLagged in place of kSap.",
             "The names of MuJoCo's cones looked up in place of those of solvers.",
@@ -75,18 +75,17 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S5.pivot-scale",
-        statement: "On large scenes (10⁵ contacts) pivoting algorithms such as Lemke's are less scalable than iterative methods (projected \
-            gradients, ADMM).",
+        statement: r"On large scenes ($10^5$ contacts) pivoting algorithms such as Lemke's are less scalable than iterative methods
+            (projected gradients, ADMM).",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Measured,
-        correct_statement: "As stated, of Lemke's method over its dense tableau and of an iteration to a fixed accuracy that uses the \
-            zeros \
-            of W: the work of the first grows faster with the contacts. (Its answer is exact, that of an iteration is not.)",
-        argument: "Multiplications on a row of pressed masses, doubled from 10 to 20 and from 20 to 40: pivots times the n (2n + 2) \
-            entries of the tableau grow faster than accelerated gradients times the non-zeros of W. Stewart–Trinkle with four \
-            directions has 6 unknowns per contact: at 10⁵ contacts a tableau takes more than 10¹² bytes.",
+        correct_statement: r"As stated, of Lemke's method over its dense tableau and of an iteration to a fixed accuracy that uses the
+            zeros of $W$: the work of the first grows faster with the contacts. (Its answer is exact, that of an iteration is not.)",
+        argument: r"Multiplications on a row of pressed masses, doubled from 10 to 20 and from 20 to 40: pivots times the $n\,(2n + 2)$
+            entries of the tableau grow faster than accelerated gradients times the non-zeros of $W$. Stewart–Trinkle with four directions
+            has 6 unknowns per contact: at $10^5$ contacts a tableau takes more than $10^{12}$ bytes.",
         controls: &["Plain gradients in place of accelerated ones, and a tableau of which a pivot touches one row."],
         sources: &["chapter §5, motivation"],
         check: check!(scaling),

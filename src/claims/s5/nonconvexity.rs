@@ -21,11 +21,11 @@ pub(super) const CLAIMS: &[Claim] = &[
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "Coulomb's step problem may have a non-convex solution set, for instance three isolated solutions.",
-        argument: "Painlevé's rod, μ = 3, whose tip separates at 1/10 m/s while it slides at 1 m/s: enumeration of all complementary cones \
-            gives exactly three isolated solutions: no impulse, a jam that slides on and a jam that sticks. Their pairwise midpoints are \
-            not solutions.",
+        argument: r"Painlevé's rod, $\mu = 3$, whose tip separates at 1/10 m/s while it slides at 1 m/s: enumeration of all complementary
+            cones gives exactly three isolated solutions: no impulse, a jam that slides on and a jam that sticks. Their pairwise midpoints
+            are not solutions.",
         controls: &[
-            "The same rod with μ = 1, where the solution is unique.",
+            r"The same rod with $\mu = 1$, where the solution is unique.",
             "A box that sticks on two corners: midpoints of its solutions are solutions.",
         ],
         sources: &["chapter §5, why the original problem is not convex", "enumeration of the Stewart–Trinkle LCP"],
@@ -39,13 +39,13 @@ pub(super) const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "The convex step makes v⁺ and Nγ unique also where the LCP has several solutions; γ is unique only if N is \
-            definite. Its solution is differentiable inside stick, slip or separation, not where it changes from one to another. What a \
-            net gain is, is not decided here.",
-        argument: "Painlevé's rod with μ = 3: the Stewart–Trinkle LCP has three solutions, the convex step one. A box that lands on two \
-            corners: both the LCP and the convex step have infinitely many impulses. One contact with μ = 1/2 under the load (−2, b_t): \
-            the one-sided derivatives of the relaxed impulse agree at b_t = 1/2, where it sticks, and differ at b_t = 1, where it begins \
-            to slip.",
+        correct_statement: r"The convex step makes $v^+$ and $N\gamma$ unique also where the LCP has several solutions; $\gamma$ is unique
+            only if $N$ is definite. Its solution is differentiable inside stick, slip or separation, not where it changes from one to
+            another. What a net gain is, is not decided here.",
+        argument: r"Painlevé's rod with $\mu = 3$: the Stewart–Trinkle LCP has three solutions, the convex step one. A box that lands on
+            two corners: both the LCP and the convex step have infinitely many impulses. One contact with $\mu = 1/2$ under the load
+            $(-2, b_t)$: the one-sided derivatives of the relaxed impulse agree at $b_t = 1/2$, where it sticks, and differ at $b_t = 1$,
+            where it begins to slip.",
         controls: &[
             "A single corner in place of the two: its convex step has one impulse, and so has its LCP.",
             "The box in place of the rod, whose convex step has many impulses.",
@@ -81,12 +81,12 @@ pub(super) const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "All four combinations exist. The relaxation decides whether a sliding contact lifts off, u_n = μ|u_t|-like or \
-            0; the shape decides how strong friction is in which direction.",
-        argument: "One contact with W = I, μ = 1/2, sliding at 2 m/s in the direction π/8 from tangent 1 against u_n = −1: all four laws \
-            are solved and certified. Round and polyhedral (d = 4) Coulomb keep u_n = 0, both relaxed laws lift off. \
-                   The friction of the round cone opposes sliding, that of the polyhedral one points along a direction π/8 beside it, \
-                   relaxed or not.",
+        correct_statement: r"All four combinations exist. The relaxation decides whether a sliding contact lifts off,
+            $u_n = \mu|u_t|$-like or 0; the shape decides how strong friction is in which direction.",
+        argument: r"One contact with $W = I$, $\mu = 1/2$, sliding at 2 m/s in the direction $\pi/8$ from tangent 1 against $u_n = -1$:
+            all four laws are solved and certified. Round and polyhedral ($d = 4$) Coulomb keep $u_n = 0$, both relaxed laws lift off. The
+            friction of the round cone opposes sliding, that of the polyhedral one points along a direction $\pi/8$ beside it, relaxed or
+            not.",
         controls: &[
             "The answers of the other structure, Coulomb's for the relaxed laws and conversely.",
             "The answers of the other shape, the polyhedral for the round and conversely.",
@@ -106,13 +106,13 @@ pub(super) const CLAIMS: &[Claim] = &[
         correct_statement: "Convexity buys uniqueness and Lipschitz continuity, not derivatives. At a change of the active set both the \
             LCP and the QP have a kink; away from it both are differentiable by the implicit function theorem. (That the QP's solution is \
             differentiable at all parameters is S5.diff.)",
-        argument: "By §3 the frictionless LCP is the optimality system of the QP, so their solutions are the same function and cannot \
-            differ in differentiability. 0 ≤ z ⟂ 2z + θ ≥ 0 (Lemke) and min z² + θz over z ≥ 0 (projection of the unconstrained minimiser) \
-            both have the slopes −1/2 for θ < 0 and 0 for θ > 0; \
-                   §6 itself calls the convex problem only subdifferentiable at the boundary of the cone.",
+        argument: r"By §3 the frictionless LCP is the optimality system of the QP, so their solutions are the same function and cannot
+            differ in differentiability. $0 \le z \perp 2z + \theta \ge 0$ (Lemke) and min $z^2 + \theta z$ over $z \ge 0$ (projection of
+            the unconstrained minimiser) both have the slopes −1/2 for $\theta < 0$ and 0 for $\theta > 0$; §6 itself calls the convex
+            problem only subdifferentiable at the boundary of the cone.",
         controls: &[
-            "The solution away from the change of the active set (at θ = −1): neither passage gives it a kink.",
-            "The factor 2 of the gradient forgotten in the LCP: 0 ≤ z ⟂ z + θ ≥ 0.",
+            r"The solution away from the change of the active set (at $\theta = -1$): neither passage gives it a kink.",
+            r"The factor 2 of the gradient forgotten in the LCP: $0 \le z \perp z + \theta \ge 0$.",
         ],
         sources: &["chapter §5, convexity and differentiable contact", "chapter §3, QP form of the normal LCP", "chapter §6"],
         check: check!(same_kink),

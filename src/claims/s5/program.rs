@@ -10,61 +10,64 @@ use crate::solvers::enumeration::all_solutions;
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "S5.strict-qp",
-        statement: "Every step solves a strictly convex quadratic program in the contact impulses γ, whose Hessian is the Delassus \
-            operator N = DᵀM⁻¹D (step 5: in general N is positive semidefinite; it is definite, and the program strictly convex, when D \
-            has full column rank).",
+        statement: r"Every step solves a strictly convex quadratic program in the contact impulses $\gamma$, whose Hessian is the Delassus
+            operator $N = D^TM^{-1}D$ (step 5: in general $N$ is positive semidefinite; it is definite, and the program strictly convex,
+            when $D$ has full column rank).",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated with the condition of step 5, which the summaries of the section leave out: for every D the program \
-            is strictly convex in the velocity, so v⁺ and Nγ are unique; in γ it is strictly convex only if D has full column rank.",
-        argument: "N = DᵀM⁻¹D is positive semidefinite, and xᵀNx = 0 exactly for Dx = 0. A single corner of a box has as many columns as \
-            its D has rank, and LDLᵀ over the rationals finds N definite; two corners have 4 columns of rank 3, and N is singular.",
+        correct_statement: r"As stated with the condition of step 5, which the summaries of the section leave out: for every $D$ the
+            program is strictly convex in the velocity, so $v^+$ and $N\gamma$ are unique; in $\gamma$ it is strictly convex only if $D$
+            has full column rank.",
+        argument: r"$N = D^TM^{-1}D$ is positive semidefinite, and $x^TNx = 0$ exactly for Dx $= 0$. A single corner of a box has as many
+            columns as its $D$ has rank, and $LDL^T$ over the rationals finds $N$ definite; two corners have 4 columns of rank 3, and $N$
+            is singular.",
         controls: &["The two corners in place of the one, and the one in place of the two."],
         sources: &["chapter §5, steps 3 and 5 of the construction"],
         check: check!(strictness),
     },
     Claim {
         id: "S5.D-rank",
-        statement: "D_i = [d_1, …, d_d] collects tangential direction vectors, whose impulses are β ≥ 0; when D has full column rank (no \
-            redundant contact) N is positive definite, the program strictly convex and the solution unique.",
+        statement: r"$D_i = [d_1, \ldots, d_d]$ collects tangential direction vectors, whose impulses are $\beta \ge 0$; when $D$ has full
+            column rank (no redundant contact) N is positive definite, the program strictly convex and the solution unique.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "The implication holds, but its hypothesis is not that no contact is redundant: it needs columns (n, t₁, t₂) \
-            per contact, with tangential impulses of either sign, and independent contacts. Directions whose non-negative impulses reach \
-            every sense are dependent for every single contact, and N is singular.",
-        argument: "Non-negative combinations of k vectors fill a space of k − 1 dimensions at most, so the d directions of one contact \
-            are dependent. A point of unit mass with columns (n, t): N = I, definite. With columns (n, d, −d): N = (1,0,0; 0,1,−1; \
-            0,−1,1), which has the kernel (0,1,1): adding the same amount to both opposite impulses changes nothing.",
+        correct_statement: r"The implication holds, but its hypothesis is not that no contact is redundant: it needs columns
+            $(n, t_1, t_2)$ per contact, with tangential impulses of either sign, and independent contacts. Directions whose non-negative
+            impulses reach every sense are dependent for every single contact, and $N$ is singular.",
+        argument: r"Non-negative combinations of $k$ vectors fill a space of $k - 1$ dimensions at most, so the $d$ directions of one
+            contact are dependent. A point of unit mass with columns $(n, t)$: $N = I$, definite. With columns $(n, d, -d)$:
+            $N = (1, 0, 0; 0, 1, -1; 0, -1, 1)$, which has the kernel (0,1,1): adding the same amount to both opposite impulses changes
+            nothing.",
         controls: &[
-            "Columns (n, t) fed in place of the directions for β ≥ 0.",
-            "The same contact taken twice, (n, t, n, t): a redundant contact in place of a single one.",
+            r"Columns $(n, t)$ fed in place of the directions for $\beta \ge 0$.",
+            r"The same contact taken twice, $(n, t, n, t)$: a redundant contact in place of a single one.",
         ],
         sources: &["chapter §4, construction of the polyhedral cone", "chapter §5, steps 1 and 5"],
         check: check!(symmetric_directions_are_dependent),
     },
     Claim {
         id: "S5.psd-unique",
-        statement: "Even if N is only positive semidefinite, the solution is usually still unique once the friction cone is added; or a \
+        statement: r"Even if $N$ is only positive semidefinite, the solution is usually still unique once the friction cone is added; or a
             proximal regularisation guarantees it.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "If N is singular, v⁺ and Nγ stay unique. The impulses are unique where the contacts slide, for then the cone \
-            fixes their direction; a box that sticks on two corners has a segment of optimal impulses for every load inside the cones. The \
-            alternative the text names does hold: a regularised program is strictly convex in γ.",
-        argument: "Both corners of a box have the same tangential row, so k = (0,1,0,−1) has Nk = 0. If γ is optimal with both corners \
-            strictly inside their cones, γ + s k is feasible with the same objective, hence optimal, for all small s; and being strictly \
-            inside is an open condition on the load. All optimal impulses are enumerated in rationals for 14 loads along the ground, \
-            that the box bears at rest and for 14 that make it slide: under none of the first is the solution unique, \
-            under all of the second it is. “Usually” counts as more than half. A proximal term I/1000 makes N definite.",
+        correct_statement: r"If $N$ is singular, $v^+$ and $N\gamma$ stay unique. The impulses are unique where the contacts slide, for
+            then the cone fixes their direction; a box that sticks on two corners has a segment of optimal impulses for every load inside
+            the cones. The alternative the text names does hold: a regularised program is strictly convex in $\gamma$.",
+        argument: r"Both corners of a box have the same tangential row, so $k = (0, 1, 0, -1)$ has Nk $= 0$. If $\gamma$ is optimal with
+            both corners strictly inside their cones, $\gamma + s\,k$ is feasible with the same objective, hence optimal, for all small
+            $s$; and being strictly inside is an open condition on the load. All optimal impulses are enumerated in rationals for 14 loads
+            along the ground, that the box bears at rest and for 14 that make it slide: under none of the first is the solution unique,
+            under all of the second it is. “Usually” counts as more than half. A proximal term $I/1000$ makes $N$ definite.",
         controls: &[
-            "A single corner in place of the two: its N is definite, and every load has one solution.",
-            "μ = 4 in place of 1/2, with which the loads that slide stick.",
+            r"A single corner in place of the two: its $N$ is definite, and every load has one solution.",
+            r"$\mu = 4$ in place of 1/2, with which the loads that slide stick.",
             "The proximal term on the normal rows only.",
         ],
         sources: &["chapter §5, step 5"],
@@ -72,48 +75,49 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S5.gap-term",
-        statement: "The relaxed non-penetration constraint is written on velocities with a gap term, n·v + φ/h ≥ 0.",
+        statement: r"The relaxed non-penetration constraint is written on velocities with a gap term, $n\cdot v + \varphi/h \ge 0$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "n·v⁺ + φ/h ≥ 0: for a gap that is linear in q the gap after the step, φ + h n·v⁺, is non-negative, and zero \
-            where the contact pushes without sliding.",
-        argument: "φ⁺ = φ + h n·v⁺ = h (n·v⁺ + φ/h). A ball 1/250 m above the ground falling at 1 m/s (h = 1/100) lands at φ⁺ = 0 exactly, \
-            with n·v⁺ = −2/5.",
-        controls: &["The constraint without the gap term, n·v ≥ 0, which stops the ball in the air."],
+        correct_statement: r"$n\cdot v^+ + \varphi/h \ge 0$: for a gap that is linear in $q$ the gap after the step,
+            $\varphi + h\,n\cdot v^+$, is non-negative, and zero where the contact pushes without sliding.",
+        argument: r"$\varphi^+ = \varphi + h\,n\cdot v^+ = h\,(n\cdot v^+ + \varphi/h)$. A ball 1/250 m above the ground falling at 1 m/s
+            ($h = 1/100$) lands at $\varphi^+ = 0$ exactly, with $n\cdot v^+ = -2/5$.",
+        controls: &[r"The constraint without the gap term, $n\cdot v \ge 0$, which stops the ball in the air."],
         sources: &["chapter §5, step 2 of the construction"],
         check: check!(gap_term),
     },
     Claim {
         id: "S5.qp-form",
-        statement: "Eliminating the velocity, each step is min ½γᵀNγ + rᵀγ over the friction cones, where r contains the free velocity and \
-            the gap term φ/h.",
+        statement: r"Eliminating the velocity, each step is min $\tfrac12\gamma^TN\gamma + r^T\gamma$ over the friction cones, where $r$
+            contains the free velocity and the gap term $\varphi/h$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "With v⁺ = v_free + M⁻¹Dγ: ½‖v⁺‖²_M − ½‖v_free‖²_M + (φ/h)·γ_n = ½γᵀNγ + rᵀγ, r = Dᵀv_free + φ/h on the normal \
-            rows.",
-        argument: "Expand ½(v_free + M⁻¹Dγ)ᵀM(v_free + M⁻¹Dγ). Checked as an identity of rationals on a dozen impulses of a box on two \
-            corners with gaps 1/7 and 2/7 m/s.",
-        controls: &["r without the gap term."],
+        correct_statement: r"With $v^+ = v_\text{free} + M^{-1}D\gamma$: $\tfrac12\|v^+\|_M^2 - \tfrac12\|v_\text{free}\|_M^2 +
+            (\varphi/h)\cdot\gamma_n = \tfrac12\gamma^TN\gamma + r^T\gamma$, $r = D^Tv_\text{free} + \varphi/h$ on the normal rows.",
+        argument: r"Expand $\tfrac12(v_\text{free} + M^{-1}D\gamma)^TM(v_\text{free} + M^{-1}D\gamma)$. Checked as an identity of
+            rationals on a dozen impulses of a box on two corners with gaps 1/7 and 2/7 m/s.",
+        controls: &[r"$r$ without the gap term."],
         sources: &["chapter §5, step 3 and exercise 1"],
         check: check!(elimination),
     },
     Claim {
         id: "S5.ccp",
-        statement: "The optimality conditions of the program are the cone complementarity problem K ∋ γ ⟂ Nγ + r ∈ K*, K* the dual of the \
-            friction cone.",
+        statement: r"The optimality conditions of the program are the cone complementarity problem
+            $K \ni \gamma \perp N\gamma + r \in K^*$, $K^*$ the dual of the friction cone.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "γ minimises ½γᵀNγ + rᵀγ over K if and only if K ∋ γ ⟂ Nγ + r ∈ K*, with K* = {u_n ≥ μ‖u_t‖}.",
-        argument: "f is convex with gradient y = Nγ + r, so γ is optimal iff y·(x − γ) ≥ 0 for all x ∈ K; x = 0 and x = 2γ give y·γ = 0, \
-            and then y·x ≥ 0 on K is y ∈ K*. Conversely \
-                   f(x) − f(γ) = y·(x−γ) + ½‖x−γ‖²_N ≥ 0. Checked exactly for a sliding box: the answer is cone complementary, and no cone \
-                   point of a grid around it has a smaller objective.",
+        correct_statement: r"$\gamma$ minimises $\tfrac12\gamma^TN\gamma + r^T\gamma$ over $K$ if and only if
+            $K \ni \gamma \perp N\gamma + r \in K^*$, with $K^* = \{u_n \ge \mu\|u_t\|\}$.",
+        argument: r"$f$ is convex with gradient $y = N\gamma + r$, so $\gamma$ is optimal iff $y\cdot(x - \gamma) \ge 0$ for all
+            $x \in K$; $x = 0$ and $x = 2\gamma$ give $y\cdot\gamma = 0$, and then $y\cdot x \ge 0$ on $K$ is $y \in K^*$. Conversely
+            $f(x) - f(\gamma) = y\cdot(x - \gamma) + \tfrac12\|x - \gamma\|_N^2 \ge 0$. Checked exactly for a sliding box: the answer is
+            cone complementary, and no cone point of a grid around it has a smaller objective.",
         controls: &["Coulomb's answer to the same step: it satisfies another complementarity and is not optimal."],
         sources: &["chapter §5, step 4", "first-order optimality over a convex cone"],
         check: check!(optimality),
@@ -125,15 +129,17 @@ pub(super) const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "v⁺ is unique and depends on v_free with Lipschitz constant 1 in the M-norm. Continuity in the geometry and in \
-            μ needs a pointed cone of generalised impulses (Slater's condition); γ need not be unique.",
-        argument: "v⁺ is the M-projection of v_free on the convex set {v : Dᵀv + φ/h ∈ K*}, and projections do not expand: for every pair \
-            of loads on a box that is tried, ‖Δv⁺‖²_M ≤ ‖Δv_free‖²_M exactly. Without Slater continuity fails: \
-                   constraints v_y ≥ 0 and εv_x − v_y ≥ 0 and v_free = (−1, 0) give v⁺ = (−1, 0) at ε = 0 but v⁺ = (0, 0) for every ε > 0 \
-                   (ε = 10⁻³, 10⁻⁶, 10⁻⁹: distance 1).",
+        correct_statement: r"$v^+$ is unique and depends on $v_\text{free}$ with Lipschitz constant 1 in the $M$-norm. Continuity in the
+            geometry and in $\mu$ needs a pointed cone of generalised impulses (Slater's condition); $\gamma$ need not be unique.",
+        argument: r"$v^+$ is the $M$-projection of $v_\text{free}$ on the convex set $\{v : D^Tv + \varphi/h \in K^*\}$, and projections
+            do not expand: for every pair of loads on a box that is tried, $\|\Delta v^+\|_M^2 \le \|\Delta v_\text{free}\|_M^2$ exactly.
+            Without Slater continuity fails: constraints $v_y \ge 0$ and $\varepsilon v_x - v_y \ge 0$ and $v_\text{free} = (-1, 0)$ give
+            $v^+ = (-1, 0)$ at $\varepsilon = 0$ but $v^+ = (0, 0)$ for every $\varepsilon > 0$ ($\varepsilon = 10^{-3}$, $10^{-6}$,
+            $10^{-9}$: distance 1).",
         controls: &[
-            "The second constraint as εv_x + v_y ≥ 0, which leaves the cone pointed: the solution moves by O(ε) only.",
-            "The two wedges, ε = 0 and ε = 10⁻⁶, under one load in place of pairs of loads on the box.",
+            r"The second constraint as $\varepsilon v_x + v_y \ge 0$, which leaves the cone pointed: the solution moves by
+                $O(\varepsilon)$ only.",
+            r"The two wedges, $\varepsilon = 0$ and $\varepsilon = 10^{-6}$, under one load in place of pairs of loads on the box.",
         ],
         sources: &["chapter §5, motivation", "non-expansiveness of projections on convex sets"],
         check: check!(continuity),

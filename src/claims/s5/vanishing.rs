@@ -8,46 +8,45 @@ use crate::problem::Law;
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "S5.Oh-vanish",
-        statement: "The price of the relaxation is an artefact of order h that vanishes with h; it is not a permanent deviation.",
+        statement: r"The price of the relaxation is an artefact of order $h$ that vanishes with $h$; it is not a permanent deviation.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "For motions that meet the contact compatibly (free landing, sliding that grows from stick, a slide started at \
-            φ = μh|v_t|) the error is O(h). A tangential velocity imposed in closed contact (φ = 0, v_t = V: a shock, a moving belt) makes \
-            the body hop by \
-                            (μV)²/(2g(1+μ²)²), whatever h.",
-        argument: "From φ = 0, v = (0, V) the step projects on u_n ≥ μ|u_t|: v_n = (μV − μ²hg)/(1+μ²), v_t = (V − μhg)/(1+μ²), and flight \
-            follows. With μ = 1/2, V = 1 m/s, g = 10 m/s² the gap rises to at least 1/125 m = 8 mm for steps of a hundredth and of a \
-            thousandth of a second \
-                   (exact steps; the limit is exactly 8 mm), while Coulomb's step stays at φ = 0. Started at φ = μhV the gap never exceeds \
-                   μhV.",
+        correct_statement: r"For motions that meet the contact compatibly (free landing, sliding that grows from stick, a slide started at
+            $\varphi = \mu h|v_t|$) the error is $O(h)$. A tangential velocity imposed in closed contact ($\varphi = 0$, $v_t = V$: a
+            shock, a moving belt) makes the body hop by $(\mu V)^2/(2g(1 + \mu^2)^2)$, whatever $h$.",
+        argument: r"From $\varphi = 0$, $v = (0, V)$ the step projects on $u_n \ge \mu|u_t|$: $v_n = (\mu V - \mu^2hg)/(1 + \mu^2)$,
+            $v_t = (V - \mu hg)/(1 + \mu^2)$, and flight follows. With $\mu = 1/2$, $V = 1$ m/s, $g = 10$ m/s² the gap rises to at least
+            $1/125\,\mathrm{m} = 8$ mm for steps of a hundredth and of a thousandth of a second (exact steps; the limit is exactly 8 mm),
+            while Coulomb's step stays at $\varphi = 0$. Started at $\varphi = \mu hV$ the gap never exceeds $\mu hV$.",
         controls: &[
-            "The compatible start φ = μhV in place of φ = 0.",
-            "The shock under the relaxation, φ = 0, in place of the compatible slide and of Coulomb's step.",
+            r"The compatible start $\varphi = \mu hV$ in place of $\varphi = 0$.",
+            r"The shock under the relaxation, $\varphi = 0$, in place of the compatible slide and of Coulomb's step.",
         ],
         sources: &["chapter §5, convergence theorem and pitfalls", "exact steps of the convex program"],
         check: check!(hop),
     },
     Claim {
         id: "S5.conv2006",
-        statement: "Convergence theorem (Anitescu 2006): as h → 0, and the relaxation parameter with it, the solutions of the convex step \
-            converge to solutions of the differential variational inequality, that is of the MDI.",
+        statement: r"Convergence theorem (Anitescu 2006): as $h \to 0$, and the relaxation parameter with it, the solutions of the convex
+            step converge to solutions of the differential variational inequality, that is of the MDI.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "The limit satisfies the weak measure differential inclusion: no penetration, impulses in the friction cone. \
-            It is a motion of Signorini–Coulomb with e = 0 for motions that meet the contact compatibly; where a tangential velocity \
-            meets a closed contact, the limit separates with v_n = μV/(1+μ²).",
-        argument: "After one step from φ = 0, v_t = V = 1 m/s (μ = 1/2, g = 10 m/s²) v_n = 2/5 − 2h: the sequence converges, to 2/5 m/s. \
-            All gaps are non-negative and all impulses in the cone, which is what the weak inclusion asks. Coulomb's law with e = 0, which \
-            the text calls the correct physics, asks v_n = 0; from the gap μ h V the limit is 0. The paper itself was not read; \
-            the statement is judged as printed here.",
+        correct_statement: r"The limit satisfies the weak measure differential inclusion: no penetration, impulses in the friction cone.
+            It is a motion of Signorini–Coulomb with $e = 0$ for motions that meet the contact compatibly; where a tangential velocity
+            meets a closed contact, the limit separates with $v_n = \mu V/(1 + \mu^2)$.",
+        argument: r"After one step from $\varphi = 0$, $v_t = V = 1$ m/s ($\mu = 1/2$, $g = 10$ m/s²) $v_n = 2/5 - 2h$: the sequence
+            converges, to 2/5 m/s. All gaps are non-negative and all impulses in the cone, which is what the weak inclusion asks.
+            Coulomb's law with $e = 0$, which the text calls the correct physics, asks $v_n = 0$; from the gap $\mu\,h\,V$ the limit is 0.
+            The paper itself was not read; the statement is judged as printed here.",
         controls: &[
-            "Coulomb's step in place of the relaxed one: its limit is v_n = 0.",
-            "A penetration of 1 cm that does not shrink with h in place of either gap: it is thrown out, the faster the shorter the step.",
-            "μ = 1 in the step, 1/2 in the cone.",
+            r"Coulomb's step in place of the relaxed one: its limit is $v_n = 0$.",
+            r"A penetration of 1 cm that does not shrink with $h$ in place of either gap: it is thrown out, the faster the shorter the
+                step.",
+            r"$\mu = 1$ in the step, 1/2 in the cone.",
         ],
         sources: &["chapter §5, convergence theorem"],
         check: check!(weak_limit),

@@ -21,17 +21,17 @@ const SOURCE: &str = "MuJoCo documentation, Computation: solver algorithms (3.17
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S6.delassus-unifies",
-        statement: "All four formats of constrained dynamics meet in W = J M⁻¹Jᵀ.",
+        statement: r"All four formats of constrained dynamics meet in $W = J\,M^{-1}J^T$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated of the dual problems, which the chapter compares here. The primal solvers, Newton and CG in MuJoCo \
-            and SAP's in Drake, minimise over velocities and never form W; what they find is the same.",
-        argument: "One ball in touch with the floor: Moreau–Jean, Stewart–Trinkle, Anitescu and MuJoCo assemble the same W. The stored \
-            sliding block: Newton on M, J and b alone and sweeps on W + R give the same impulses.",
+        correct_statement: r"As stated of the dual problems, which the chapter compares here. The primal solvers, Newton and CG in MuJoCo
+            and SAP's in Drake, minimise over velocities and never form $W$; what they find is the same.",
+        argument: r"One ball in touch with the floor: Moreau–Jean, Stewart–Trinkle, Anitescu and MuJoCo assemble the same $W$. The stored
+            sliding block: Newton on $M$, $J$ and $b$ alone and sweeps on $W + R$ give the same impulses.",
         controls: &[
-            "A + R in place of A for MuJoCo.",
+            r"$A + R$ in place of A for MuJoCo.",
             "A ball that cannot turn, a point mass, for Stewart–Trinkle and Anitescu.",
             "A single sweep on the dual.",
         ],
@@ -45,8 +45,8 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Cited,
-        correct_statement: "True of MuJoCo up to 3.9; from 3.10 on the direction is Hager and Zhang's. With an exact line search the two \
-            are one formula while β ≥ 0: pᵀg⁺ = 0 turns one into the other.",
+        correct_statement: r"True of MuJoCo up to 3.9; from 3.10 on the direction is Hager and Zhang's. With an exact line search the two
+            are one formula while $\beta \ge 0$: $p^Tg^+ = 0$ turns one into the other.",
         argument: "The change log puts Hager and Zhang's direction into 3.10.0, and 3.17.0 is stored. Its accelerations after 1 to 5 \
             iterations of CG from free motion, exact line search, sliding block, both cones: both formulas reproduce them to 1e-9 of their \
             size. Steepest descent does not.",
@@ -63,7 +63,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Certified,
         correct_statement: "The cost is piecewise quadratic over pyramids. On a round cone that slips it is not: its curvature turns with \
             the direction of slip. The derivatives are analytic in both cases.",
-        argument: "Second derivative of the cost of one contact along t₂ at two points of the same zone: equal to the last bit for a \
+        argument: r"Second derivative of the cost of one contact along $t_2$ at two points of the same zone: equal to the last bit for a
             one-sided row, different for a slipping cone.",
         controls: &["The one-sided row and the cone exchanged."],
         sources: &["chapter §6, table of solvers", SOURCE],
@@ -107,8 +107,8 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Measured,
         correct_statement: "It depends on the model: with a few bodies on the ground and a good start it is near; the bottom of a stack \
             learns of its top through the boxes between, and ten sweeps from zero leave a visible part of the forces missing.",
-        argument: "Change of velocity after ten sweeps from zero against Newton's, in the norm of M: 14 % of it is wrong in a stack of ten \
-            boxes, 16 % with mass ratio 2, 0.24 % for a single box. One per cent counts as a difference.",
+        argument: r"Change of velocity after ten sweeps from zero against Newton's, in the norm of $M$: 14 % of it is wrong in a stack of
+            ten boxes, 16 % with mass ratio 2, 0.24 % for a single box. One per cent counts as a difference.",
         controls: &["Five thousand sweeps.", "One sweep."],
         sources: &["chapter §6, table of solvers", SOURCE],
         check: check!(ten_sweeps),
@@ -122,9 +122,9 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Measured,
         correct_statement: "No order holds for all models. On one contact PGS needs the least work; on stacks conjugate gradients need \
             less, for a low accuracy as for a high one.",
-        argument: "Multiplications until the change of velocity is right to a low accuracy, a tenth, and to a high one, counted from \
-            iterations, rows n and velocities n_v: n²n_v once and n²/2 per sweep for PGS, n n_v² + n_v³/3 per Newton step, 2n n_v + n_v² \
-            per step of CG. A stack of ten boxes costs PGS more than twice what CG needs, a single ball less.",
+        argument: r"Multiplications until the change of velocity is right to a low accuracy, a tenth, and to a high one, counted from
+            iterations, rows $n$ and velocities $n_v$: $n^2n_v$ once and $n^2/2$ per sweep for PGS, $n\,n_v^2 + n_v^3/3$ per Newton step,
+            $2n\,n_v + n_v^2$ per step of CG. A stack of ten boxes costs PGS more than twice what CG needs, a single ball less.",
         controls: &["The ball in place of the stack.", "A stack of five in place of either."],
         sources: &["chapter §6, pitfall on solvers", SOURCE],
         check: check!(work),

@@ -9,38 +9,38 @@ const MODEL: &str = "MuJoCo documentation, Computation: friction cones (3.17)";
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S6.elliptic-cone",
-        statement: "The elliptic cone {f₁ ≥ 0, f₁² ≥ Σ fᵢ²/μᵢ₋₁²} is the exact second-order cone, with sliding, torsional and rolling \
-            friction, and isotropic.",
+        statement: r"The elliptic cone $\{f_1 \ge 0, f_1^2 \ge \sum\,f_i^2/\mu_{i-1}^2\}$ is the exact second-order cone, with sliding,
+            torsional and rolling friction, and isotropic.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "It is the second-order cone of the scaled forces fᵢ/μᵢ₋₁. Isotropic in the tangent plane only if the two \
-            sliding coefficients are equal, as by default; torsion and rolling need condim 4 and 6.",
-        argument: "μ = (1/2, 1/2): the forces 1/2 (3/5, 4/5) and 1/2 (1, 0) per unit of normal force are both on the boundary. μ = (1, \
-            1/2): (4/5, 0) inside, (0, 4/5) outside, where an isotropic cone has both or none. In rationals.",
+        correct_statement: r"It is the second-order cone of the scaled forces $f_i/\mu_{i-1}$. Isotropic in the tangent plane only if the
+            two sliding coefficients are equal, as by default; torsion and rolling need condim 4 and 6.",
+        argument: r"$\mu = (1/2, 1/2)$: the forces $1/2\,(3/5, 4/5)$ and $1/2\,(1, 0)$ per unit of normal force are both on the boundary.
+            $\mu = (1, 1/2)$: $(4/5, 0)$ inside, $(0, 4/5)$ outside, where an isotropic cone has both or none. In rationals.",
         controls: &[
-            "μ = (1, 1) in place of (1, 1/2).",
-            "μᵢ in place of μᵢ², the square forgotten.",
-            "μ = (1/2, 1), the coefficients exchanged.",
+            r"$\mu = (1, 1)$ in place of $(1, 1/2)$.",
+            r"$\mu_i$ in place of $\mu_i^2$, the square forgotten.",
+            r"$\mu = (1/2, 1)$, the coefficients exchanged.",
         ],
         sources: &["chapter §6, step 4", MODEL],
         check: check!(elliptic),
     },
     Claim {
         id: "S6.pyramidal-cone",
-        statement: "The pyramidal cone {f ∈ ℝ^{2(n−1)}, f ≥ 0} is a polyhedral approximation in edge forces, as of Stewart and Trinkle, \
-            and anisotropic. (That it is faster to compute is another claim.)",
+        statement: r"The pyramidal cone $\{f \in \mathbb{R}^{2(n - 1)}, f \ge 0\}$ is a polyhedral approximation in edge forces, as of
+            Stewart and Trinkle, and anisotropic. (That it is faster to compute is another claim.)",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: at condim 3 the four-sided cone of Stewart and Trinkle, 1/√2 as strong along the diagonals as along \
-            the axes. Whether it is faster is the matter of S6.pyr-faster.",
-        argument: "Edges (1, ±μ, 0), (1, 0, ±μ), μ = 1: of the twentieths along an axis and along the diagonal, 1 and (1/2, 1/2) are the \
-            last that edge forces reach, a squared strength of 1/2 on the diagonal; all forces of a grid of edge forces with sum 1 have \
-            |t₁| + |t₂| ≤ 1.",
-        controls: &["Edges along (±3/5, ±4/5) in place of the axes."],
+        correct_statement: r"As stated: at condim 3 the four-sided cone of Stewart and Trinkle, $1/\sqrt2$ as strong along the diagonals
+            as along the axes. Whether it is faster is the matter of S6.pyr-faster.",
+        argument: r"Edges $(1, \pm\mu, 0)$, $(1, 0, \pm\mu)$, $\mu = 1$: of the twentieths along an axis and along the diagonal, 1 and
+            $(1/2, 1/2)$ are the last that edge forces reach, a squared strength of 1/2 on the diagonal; all forces of a grid of edge
+            forces with sum 1 have $|t_1| + |t_2| \le 1$.",
+        controls: &[r"Edges along $(\pm3/5, \pm4/5)$ in place of the axes."],
         sources: &["chapter §6, step 4", MODEL],
         check: check!(pyramidal),
     },

@@ -20,26 +20,25 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, for constraints J x = b that do no work.",
-        argument: "Three coupled coordinates, one constraint: the minimiser by Newton's equations M x = M a₀ + Jᵀf with J x = b. Every \
-            other admissible x + n, J n = 0, deviates by exactly ½ nᵀM n more, in rationals.",
-        controls: &["The Euclidean norm in place of that of M."],
+        correct_statement: r"As stated, for constraints $J\,x = b$ that do no work.",
+        argument: r"Three coupled coordinates, one constraint: the minimiser by Newton's equations $M\,x = M\,a_0 + J^Tf$ with $J\,x = b$.
+            Every other admissible $x + n$, $J\,n = 0$, deviates by exactly $\tfrac12\,n^TM\,n$ more, in rationals.",
+        controls: &[r"The Euclidean norm in place of that of $M$."],
         sources: &["chapter §6, Gauss' principle and step 1", "Udwadia and Kalaba, A new perspective on constrained motion (1992)"],
         check: check!(gauss),
     },
     Claim {
         id: "S6.primal-terms",
-        statement: "The primal problem adds to Gauss' term a_ref, a diagonal R that softens the constraints, the dual of the friction \
-            cone, \
-            and a Huber function for friction loss. (The display is not legible in the source; that the penalty is on J x − a_ref in the \
-            norm of R⁻¹ is taken from MuJoCo's documentation, which it follows.)",
+        statement: r"The primal problem adds to Gauss' term $a_\text{ref}$, a diagonal $R$ that softens the constraints, the dual of the
+            friction cone, and a Huber function for friction loss. (The display is not legible in the source; that the penalty is on
+            $J\,x - a_\text{ref}$ in the norm of $R^{-1}$ is taken from MuJoCo's documentation, which it follows.)",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated; at the minimiser M(x − a₀) = Jᵀf with the forces f = −s′(J x − a_ref).",
-        argument: "Two-sided row, friction loss at its bound and two contacts, one of them open, on three coordinates: the accelerations \
-            of the enumerated optimal forces show these forces again, and P rises in all 26 directions of the unit cube around them. In \
+        correct_statement: r"As stated; at the minimiser $M(x - a_0) = J^Tf$ with the forces $f = -s'(J\,x - a_\text{ref})$.",
+        argument: r"Two-sided row, friction loss at its bound and two contacts, one of them open, on three coordinates: the accelerations
+            of the enumerated optimal forces show these forces again, and $P$ rises in all 26 directions of the unit cube around them. In
             rationals.",
         controls: &["Forces and penalties from twice the regularisation.", "Every row two-sided, without bounds of the forces."],
         sources: &["chapter §6, step 1", MODEL],
@@ -47,16 +46,16 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S6.dual",
-        statement: "The Lagrange dual is min ½ fᵀ(A+R)f + … over f ∈ Ω, with A = J M⁻¹Jᵀ. (The display is not legible in the source; its \
-            linear term is taken as fᵀ(a_u − a_ref).)",
+        statement: r"The Lagrange dual is min $\tfrac12\,f^T(A + R)f +$ … over $f \in \Omega$, with $A = J\,M^{-1}J^T$. (The display is
+            not legible in the source; its linear term is taken as $f^T(a_u - a_\text{ref})$.)",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated; the minima of the primal and the dual problem add up to zero.",
-        argument: "The same problem: P(x) + D(f) = 0 exactly at the enumerated optimum, and positive at the 80 other admissible forces \
+        argument: r"The same problem: $P(x) + D(f) = 0$ exactly at the enumerated optimum, and positive at the 80 other admissible forces
             of a grid about it. Its two contacts alone, solved by Clarabel, have the impulses that enumeration finds.",
-        controls: &["D and the contacts without R."],
+        controls: &[r"$D$ and the contacts without $R$."],
         sources: &["chapter §6, step 2", MODEL],
         check: check!(dual),
     },
@@ -67,41 +66,41 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated of its force, which is bounded by η; the function itself grows without bound and is continuously \
-            differentiable once. Its dual is the box |f| ≤ η.",
-        argument: "η = 2 N, R = 1/2 1/kg: force ∓2 N beyond |y| = 1, where the two pieces have the same value 1 and slope 2; penalty 199 \
-            at y = 100. In the mixed problem the row with friction loss is at its bound.",
-        controls: &["The quadratic without the linear part.", "R = 1 in place of 1/2."],
+        correct_statement: r"As stated of its force, which is bounded by $\eta$; the function itself grows without bound and is
+            continuously differentiable once. Its dual is the box $|f| \le \eta$.",
+        argument: r"$\eta = 2$ N, $R = 1/2$ 1/kg: force $\mp2$ N beyond $|y| = 1$, where the two pieces have the same value 1 and slope 2;
+            penalty 199 at $y = 100$. In the mixed problem the row with friction loss is at its bound.",
+        controls: &["The quadratic without the linear part.", r"$R = 1$ in place of 1/2."],
         sources: &["chapter §6, step 1", "Huber, Robust estimation of a location parameter (1964)"],
         check: check!(huber),
     },
     Claim {
         id: "S6.omega-dot",
-        statement: "The deformation dynamics of the constraint is ω̇ = a_ref − R f.",
+        statement: r"The deformation dynamics of the constraint is $\dot\omega = a_\text{ref} - R\,f$.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Definition,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "Of the rows that are inside their bounds, where J x = a_ref − R f. On a row at its bound J x differs, and ω̇ \
-            with it.",
+        correct_statement: r"Of the rows that are inside their bounds, where $J\,x = a_\text{ref} - R\,f$. On a row at its bound $J\,x$
+            differs, and $\dot\omega$ with it.",
         argument: "The same problem, row by row in rationals: equality on the two-sided row and the closed contact, a difference on the \
             open contact and on the row with friction loss, whose bound is reached.",
-        controls: &["Twice the regularisation in R f.", "Every row two-sided, without bounds of the forces."],
+        controls: &[r"Twice the regularisation in $R\,f$.", "Every row two-sided, without bounds of the forces."],
         sources: &["chapter §6, step 3", MODEL],
         check: check!(deformation),
     },
     Claim {
         id: "S6.R-uniqueness",
-        statement: "Adding R makes the dual Hessian strictly positive definite, so that the force is unique even if A is singular through \
-            redundant contacts.",
+        statement: r"Adding $R$ makes the dual Hessian strictly positive definite, so that the force is unique even if A is singular
+            through redundant contacts.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated.",
-        argument: "Four corners of a box, normal rows: A has rank 3, and two different sets of forces give the same accelerations. A + R \
-            with R = 1/9 is definite, and enumeration finds one optimum, 81/37 N on each corner. All decided in rationals.",
-        controls: &["R = 0.", "Four points on a line, at −1, 0, 1 and 3 m, in place of four corners."],
+        argument: r"Four corners of a box, normal rows: A has rank 3, and two different sets of forces give the same accelerations.
+            $A + R$ with $R = 1/9$ is definite, and enumeration finds one optimum, 81/37 N on each corner. All decided in rationals.",
+        controls: &[r"$R = 0$.", "Four points on a line, at −1, 0, 1 and 3 m, in place of four corners."],
         sources: &["chapter §6, step 2", MODEL],
         check: check!(four_corners),
     },
@@ -112,8 +111,9 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: with R diagonal f = −s′(J x − a_ref) row by row, and M x − Jᵀf is the applied force.",
-        argument: "The mixed problem forwards by enumeration and back by the formula: forces and M a₀ come out exactly.",
+        correct_statement: r"As stated: with $R$ diagonal $f = -s'(J\,x - a_\text{ref})$ row by row, and $M\,x - J^Tf$ is the applied
+            force.",
+        argument: r"The mixed problem forwards by enumeration and back by the formula: forces and $M\,a_0$ come out exactly.",
         controls: &["The forces without their bounds."],
         sources: &["chapter §6, bridge", "Todorov, Convex and analytically-invertible dynamics (2014)"],
         check: check!(inverse),
@@ -125,12 +125,13 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Citation,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, of the regularised dynamics, R > 0, and from accelerations to forces. The inverse multiplies an \
-            error of the acceleration by 1/R on each row, so that it is lost as R → 0. It is not the inverse of a time step, nor time \
-            reversal (S6.time-reversible).",
-        argument: "One row of 1 kg at d = 0.9: loads of 5, 20 and 50 N have three accelerations; ∂τ/∂a = 10 and 10000 kg at d = 0.9 and \
-            0.9999. With R = 0 all loads have the acceleration a_ref. The round trip of S6.inverse-closed-form is exact.",
-        controls: &["The hard row, R = 0.", "R = 1 − d, the division by d forgotten."],
+        correct_statement: r"As stated, of the regularised dynamics, $R > 0$, and from accelerations to forces. The inverse multiplies an
+            error of the acceleration by $1/R$ on each row, so that it is lost as $R \to 0$. It is not the inverse of a time step, nor
+            time reversal (S6.time-reversible).",
+        argument: r"One row of 1 kg at $d = 0.9$: loads of 5, 20 and 50 N have three accelerations; $\partial\tau/\partial a = 10$ and
+            10000 kg at $d = 0.9$ and 0.9999. With $R = 0$ all loads have the acceleration $a_\text{ref}$. The round trip of
+            S6.inverse-closed-form is exact.",
+        controls: &[r"The hard row, $R = 0$.", r"$R = 1 - d$, the division by $d$ forgotten."],
         sources: &["chapter §6, history", "Todorov, Convex and analytically-invertible dynamics (2014)"],
         check: check!(invertible),
     },

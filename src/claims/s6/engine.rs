@@ -21,25 +21,26 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Measured,
         correct_statement: "As stated for the integrators Euler, implicit, implicitfast and RK4, whose accelerations do not know the step. \
             The integrator `discrete` of newer versions solves for the step itself.",
-        argument: "The acceleration of a sliding block does not change to the last bit when h is halved under Euler (timeconst above 2h), \
-            and changes by 0.32 under discrete.",
+        argument: r"The acceleration of a sliding block does not change to the last bit when $h$ is halved under Euler (timeconst above
+            $2h$), and changes by 0.32 under discrete.",
         controls: &["The two integrators exchanged."],
         sources: &["chapter §6, philosophy", STORED],
         check: check!(continuous_time),
     },
     Claim {
         id: "S6.au",
-        statement: "The unconstrained acceleration in the space of the constraints is a_u = J M⁻¹(τ − c) + J̇v.",
+        statement: r"The unconstrained acceleration in the space of the constraints is $a_u = J\,M^{-1}(\tau - c) + \dot Jv$.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Measured,
-        correct_statement: "That is the acceleration of material points. MuJoCo leaves J̇v out for contacts: its problem has J M⁻¹(τ − c) \
-            − a_ref.",
-        argument: "A box with one corner 1 mm in the floor, turning at 5 rad/s: J̇v of the normal row and of one tangent, by differences, \
-            is 3.28 and 0.66 m/s²; efc_b − J a_smooth + a_ref is 0. On the tangent along the spin axis J̇v is 0 as well.",
+        correct_statement: r"That is the acceleration of material points. MuJoCo leaves $\dot Jv$ out for contacts: its problem has
+            $J\,M^{-1}(\tau - c) - a_\text{ref}$.",
+        argument: r"A box with one corner 1 mm in the floor, turning at 5 rad/s: $\dot Jv$ of the normal row and of one tangent, by
+            differences, is 3.28 and 0.66 m/s²; efc_b − $J\,a_\text{smooth} + a_\text{ref}$ is 0. On the tangent along the spin axis
+            $\dot Jv$ is 0 as well.",
         controls: &[
-            "The row along the spin axis, whose J̇v is 0, in place of the other two.",
+            r"The row along the spin axis, whose $\dot Jv$ is 0, in place of the other two.",
             "The normal row in place of that along the spin axis.",
         ],
         sources: &["chapter §6, step 2", STORED],
@@ -85,8 +86,8 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Cited,
         correct_statement: "As stated. With damping at joints Euler is not the textbook's rule with forces at the old velocity: dampers \
             are implicit. There are also implicit and, in newer versions, discrete.",
-        argument: "integrator = 0 = Euler; implicitfast and RK4 are in the list. The stored fall has q⁺ − q − h v⁺ = 0. A mass of 1 kg at \
-            1 m/s with a damper of 1000 N·s/m, h = 10 ms: Euler leaves 1/11 m/s, as v/(1 + hC/m).",
+        argument: r"integrator $= 0$ = Euler; implicitfast and RK4 are in the list. The stored fall has $q^+ - q - h\,v^+ = 0$. A mass of
+            1 kg at 1 m/s with a damper of 1000 N·s/m, $h = 10$ ms: Euler leaves 1/11 m/s, as $v/(1 + hC/m)$.",
         controls: &["RK4 in place of Euler.", "Two of Drake's integrators looked up, and a fall that moves with the old velocity."],
         sources: &["chapter §6, step 6", STORED],
         check: check!(default_integrator),
@@ -99,11 +100,11 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Measured,
-        correct_statement: "Of weakly damped springs, up to the damping ratio 1/√3; beyond it the explicit rule bears the larger step \
-            (S8.semi-much-better). The default contact has the damping ratio 1.",
-        argument: "Stored fall: q⁺ − q − h v⁺ = 0 to rounding, with the old velocity it is g h². Steps on an undamped spring, hω = 1/2: \
-            the powers of the semi-implicit step stay bounded, those of the explicit one grow. At the damping ratio 1 and hω = 1 it is the \
-            other way round.",
+        correct_statement: r"Of weakly damped springs, up to the damping ratio $1/\sqrt3$; beyond it the explicit rule bears the larger
+            step (S8.semi-much-better). The default contact has the damping ratio 1.",
+        argument: r"Stored fall: $q^+ - q - h\,v^+ = 0$ to rounding, with the old velocity it is $g\,h^2$. Steps on an undamped spring,
+            $h\omega = 1/2$: the powers of the semi-implicit step stay bounded, those of the explicit one grow. At the damping ratio 1 and
+            $h\omega = 1$ it is the other way round.",
         controls: &["A fall and a spring that move with the old velocity."],
         sources: &["chapter §6, step 6", "chapter §8", "stored run of MuJoCo 3.17.0, Euler"],
         check: check!(new_velocity),
@@ -117,9 +118,9 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Measured,
         correct_statement: "It does for passive forces and actuators. It leaves out Coriolis and gyroscopic terms (but for bodies that \
             float freely, in newer versions), and contact forces are not among them either.",
-        argument: "1 kg at 1 m/s with a velocity servo of 1000 N·s/m, h = 10 ms: Euler gives −9 m/s, implicitfast 1/11. A torque-free top \
-            on a ball joint gains the same energy under implicitfast as under Euler, 0.77 % in 1 s, where with the gyroscopic terms, under \
-            implicit, it loses.",
+        argument: r"1 kg at 1 m/s with a velocity servo of 1000 N·s/m, $h = 10$ ms: Euler gives −9 m/s, implicitfast 1/11. A torque-free
+            top on a ball joint gains the same energy under implicitfast as under Euler, 0.77 % in 1 s, where with the gyroscopic terms,
+            under implicit, it loses.",
         controls: &["A top that floats freely.", "Euler and implicitfast exchanged on the servo."],
         sources: &["chapter §6, step 6", STORED],
         check: check!(implicit_fast),

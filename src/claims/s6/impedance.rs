@@ -30,79 +30,83 @@ const STEPS: [(&str, &str); 3] = [
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S6.impedance-range",
-        statement: "The impedance d lies in [0, 1], is small (soft) without contact and tends to 1 (hard) as the violation grows; by \
+        statement: r"The impedance $d$ lies in $[0, 1]$, is small (soft) without contact and tends to 1 (hard) as the violation grows; by
             default from 0.9 to 0.95.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "d goes from d₀ at the surface to d_w beyond the width, by default from 0.9 to 0.95 and no further; both are \
-            kept in [0.0001, 0.9999]. It falls with depth if d₀ > d_w. Without contact there is no row and no d.",
-        argument: "The default curve rises from 9/10 to 19/20 and is 19/20 at 1 m too; solimp = (0, 1, …) gives 1/10000 and 9999/10000; \
-            (19/20, 9/10, …) falls. In rationals. A d of [0, 1] counts as small below 1/2; tending to 1 counts as 999/1000 at a thousand \
-            widths.",
-        controls: &["solimp = (0, 1, …) in place of the others.", "solimp = (0.95, 0.9, …), which falls, in place of the others."],
+        correct_statement: r"$d$ goes from $d_0$ at the surface to $d_w$ beyond the width, by default from 0.9 to 0.95 and no further;
+            both are kept in $[0.0001, 0.9999]$. It falls with depth if $d_0 > d_w$. Without contact there is no row and no $d$.",
+        argument: r"The default curve rises from 9/10 to 19/20 and is 19/20 at 1 m too; solimp $= (0, 1, \ldots)$ gives 1/10000 and
+            9999/10000; $(19/20, 9/10, \ldots)$ falls. In rationals. A $d$ of $[0, 1]$ counts as small below 1/2; tending to 1 counts as
+            999/1000 at a thousand widths.",
+        controls: &[
+            r"solimp $= (0, 1, \ldots)$ in place of the others.",
+            r"solimp $= (0.95, 0.9, \ldots)$, which falls, in place of the others.",
+        ],
         sources: &["chapter §6, step 3", PARAMETERS],
         check: check!(range),
     },
     Claim {
         id: "S6.impedance-curve",
-        statement: "d passes smoothly from d₀ = 0.9 to d_w = 0.95 over a width of 1 mm, its shape given by power 2 (quadratic) and \
+        statement: r"$d$ passes smoothly from $d_0 = 0.9$ to $d_w = 0.95$ over a width of 1 mm, its shape given by power 2 (quadratic) and
             midpoint 0.5.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: y = 2x² up to the midpoint and 1 − 2(1−x)² beyond, x the depth over the width. It is continuously \
-            differentiable, not twice.",
-        argument: "d at 0, 1/4, 1/2, 3/4 and 1 mm is 0.9, 0.90625, 0.925, 0.94375 and 0.95, in rationals. One-sided derivatives by dual \
-            numbers agree at both ends, and are 100 1/m on both sides of the midpoint. The second derivative jumps there from 200000 to \
-            −200000 1/m².",
-        controls: &["The straight line, power 1.", "d₀ and d_w exchanged.", "1 mm taken for half of the width."],
+        correct_statement: r"As stated: $y = 2x^2$ up to the midpoint and $1 - 2(1 - x)^2$ beyond, $x$ the depth over the width. It is
+            continuously differentiable, not twice.",
+        argument: r"$d$ at 0, 1/4, 1/2, 3/4 and 1 mm is 0.9, 0.90625, 0.925, 0.94375 and 0.95, in rationals. One-sided derivatives by dual
+            numbers agree at both ends, and are 100 $1/m$ on both sides of the midpoint. The second derivative jumps there from 200000 to
+            −200000 $1/m^2$.",
+        controls: &["The straight line, power 1.", r"$d_0$ and $d_w$ exchanged.", "1 mm taken for half of the width."],
         sources: &[CURVE, PARAMETERS],
         check: check!(curve),
     },
     Claim {
         id: "S6.solimp-default",
-        statement: "The default is solimp = (0.9, 0.95, 0.001, 0.5, 2).",
+        statement: r"The default is solimp $= (0.9, 0.95, 0.001, 0.5, 2)$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Path,
         severity: None,
         evidence: Evidence::Cited,
         correct_statement: "As stated, read back from MuJoCo 3.17.0 in the stored step problems.",
-        argument: "The five numbers are read from the stored answers of MuJoCo 3.17.0. What a ball at rest there shows, 3.671818e-4 m, is \
-            the depth that they give with solref = (0.02, 1); power 1 would give another.",
+        argument: r"The five numbers are read from the stored answers of MuJoCo 3.17.0. What a ball at rest there shows, 3.671818e-4 m, is
+            the depth that they give with solref $= (0.02, 1)$; power 1 would give another.",
         controls: &["power 1."],
         sources: &[CURVE, "stored step problem ball_rest, newton-elliptic, h = 1 ms (MuJoCo 3.17.0)"],
         check: check!(default_parameters),
     },
     Claim {
         id: "S6.R-formula",
-        statement: "The impedance sets the regularisation, R ∝ (1−d)/d.",
+        statement: r"The impedance sets the regularisation, $R \propto (1 - d)/d$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Measured,
-        correct_statement: "As stated: R = (1−d)/d · Â, with MuJoCo's approximation Â of the diagonal of A, which for one body is 1/m for \
-            every contact point. Only where Â is the true diagonal does a single row move with d a_ref + (1−d) a_u. Friction rows have \
-            R/impratio.",
-        argument: "R d/((1−d) Â) = 1 on stored rows of MuJoCo 3.17.0: a ball 1 mm deep, d = 0.95, blocks that slide and stick over round \
-            cones, and one over pyramids, each with a d of its own; R itself differs. At the corner of a cube A = 4/m, so that with the \
-            R of d = 9/10 the weight of a_ref is 36/37, not 9/10.",
-        controls: &["The d of the surface, 9/10, in place of the d of the row."],
+        correct_statement: r"As stated: $R = (1 - d)/d \cdot \hat A$, with MuJoCo's approximation $\hat A$ of the diagonal of A, which for
+            one body is $1/m$ for every contact point. Only where $\hat A$ is the true diagonal does a single row move with
+            $d\,a_\text{ref} + (1 - d)\,a_u$. Friction rows have $R$/impratio.",
+        argument: r"$R\,d/((1 - d)\,\hat A) = 1$ on stored rows of MuJoCo 3.17.0: a ball 1 mm deep, $d = 0.95$, blocks that slide and
+            stick over round cones, and one over pyramids, each with a $d$ of its own; $R$ itself differs. At the corner of a cube
+            $A = 4/m$, so that with the $R$ of $d = 9/10$ the weight of $a_\text{ref}$ is 36/37, not 9/10.",
+        controls: &[r"The $d$ of the surface, 9/10, in place of the $d$ of the row."],
         sources: &[CURVE, MODEL, "stored step problems of MuJoCo 3.17.0"],
         check: check!(regularisation),
     },
     Claim {
         id: "S6.d-to-1",
-        statement: "As d → 1, R → 0: the constraint becomes hard, without regularisation.",
+        statement: r"As $d \to 1$, $R \to 0$: the constraint becomes hard, without regularisation.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "In the formula. MuJoCo keeps d ≤ 0.9999, hence R ≥ Â/9999: there is always regularisation.",
-        argument: "R/A = (1−d)/d is 1/9, 1/99, 1/999 at d = 0.9, 0.99, 0.999; with solimp = (1, 1, …) it is 1/9999 and not 0.",
-        controls: &["The formula at d = 1, without MuJoCo's limit.", "R = 1 − d, the division by d forgotten."],
+        correct_statement: r"In the formula. MuJoCo keeps $d \le 0.9999$, hence $R \ge \hat A/9999$: there is always regularisation.",
+        argument: r"$R/A = (1 - d)/d$ is 1/9, 1/99, 1/999 at $d = 0.9$, 0.99, 0.999; with solimp $= (1, 1, \ldots)$ it is 1/9999 and not
+            0.",
+        controls: &[r"The formula at $d = 1$, without MuJoCo's limit.", r"$R = 1 - d$, the division by $d$ forgotten."],
         sources: &[CURVE, PARAMETERS],
         check: check!(hard_limit),
     },
@@ -113,10 +117,10 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, with d₀ far below d_w: the force that holds a depth δ is k d² δ/((1−d)Â), a spring whose stiffness \
-            rises with d.",
-        argument: "solimp = (1/10, 19/20, 1 cm, 1/2, 2): force over depth at the core is 1624.5 times that at the surface; with the \
-            default it is 2.23 times. In rationals.",
+        correct_statement: r"As stated, with $d_0$ far below $d_w$: the force that holds a depth $\delta$ is
+            $k\,d^2\,\delta/((1 - d)\hat A)$, a spring whose stiffness rises with $d$.",
+        argument: r"solimp $= (1/10, 19/20, 1\,\mathrm{cm}, 1/2, 2)$: force over depth at the core is 1624.5 times that at the surface;
+            with the default it is 2.23 times. In rationals.",
         controls: &["Constant impedance in place of either curve."],
         sources: &[CURVE],
         check: check!(layer),
@@ -128,26 +132,26 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Measured,
-        correct_statement: "As stated; a ball on the floor rests 0.367 mm deep with default parameters, whatever its mass. It is not g/k_p \
-            = 3.9 mm: the load acts with 1−d. What a task accepts is not decided here.",
-        argument: "k d² δ = (1−d) g with d = d(δ) has the root δ = 3.671818e-4 m; the replay of 3000 steps of 1 ms and the stored run of \
-            MuJoCo 3.17.0 end there. With constant d = 9/10, δ = g/k_p/10 in rationals.",
+        correct_statement: r"As stated; a ball on the floor rests 0.367 mm deep with default parameters, whatever its mass. It is not
+            $g/k_p = 3.9$ mm: the load acts with $1 - d$. What a task accepts is not decided here.",
+        argument: r"$k\,d^2\,\delta = (1 - d)\,g$ with $d = d(\delta)$ has the root $\delta = \text{3.671818e-4}$ m; the replay of 3000
+            steps of 1 ms and the stored run of MuJoCo 3.17.0 end there. With constant $d = 9/10$, $\delta = g/k_p/10$ in rationals.",
         controls: &["A contact with constant impedance 0.95."],
         sources: &["chapter §6, pitfalls on stiffness and on hard contact", MODEL],
         check: check!(rest),
     },
     Claim {
         id: "S6.R-softness",
-        statement: "R is the regulariser that makes a constraint soft; the larger R, the softer.",
+        statement: r"$R$ is the regulariser that makes a constraint soft; the larger $R$, the softer.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: a = (A a_ref + R a_u)/(A + R) moves from a_ref at R = 0 monotonically towards the free \
-            acceleration.",
-        argument: "A = 1, a_ref = 5, a_u = −10: a = 5 at R = 0, −5/2 at R = 1, 15/15001 above −10 at R = 15000; da/dR = A (a_u − \
-            a_ref)/(A + R)² by dual numbers.",
-        controls: &["A row that wants a_ref = a_u, where R changes nothing."],
+        correct_statement: r"As stated: $a = (A\,a_\text{ref} + R\,a_u)/(A + R)$ moves from $a_\text{ref}$ at $R = 0$ monotonically
+            towards the free acceleration.",
+        argument: r"$A = 1$, $a_\text{ref} = 5$, $a_u = -10$: $a = 5$ at $R = 0$, −5/2 at $R = 1$, 15/15001 above −10 at $R = 15000$;
+            $da/dR = A\,(a_u - a_\text{ref})/(A + R)^2$ by dual numbers.",
+        controls: &[r"A row that wants $a_\text{ref} = a_u$, where $R$ changes nothing."],
         sources: &["chapter §6, step 1", MODEL],
         check: check!(softness),
     },
@@ -158,26 +162,28 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated: ∂a/∂τ = (1−d)/m > 0 for a single contact whose Â is exact; 1/10 of the free value at d = 0.9.",
-        argument: "a = d a_ref + (1−d) a_u by dual numbers: ∂τ/∂a = 10, 100, 1000, 10000 kg at m = 1 kg and d = 0.9, 0.99, 0.999, 0.9999.",
-        controls: &["The hard row, R = 0.", "A plain spring, whose force does not know the load."],
+        correct_statement: r"As stated: $\partial a/\partial\tau = (1 - d)/m > 0$ for a single contact whose $\hat A$ is exact; 1/10 of
+            the free value at $d = 0.9$.",
+        argument: r"$a = d\,a_\text{ref} + (1 - d)\,a_u$ by dual numbers: $\partial\tau/\partial a = 10$, 100, 1000, 10000 kg at $m = 1$
+            kg and $d = 0.9$, 0.99, 0.999, 0.9999.",
+        controls: &[r"The hard row, $R = 0$.", "A plain spring, whose force does not know the load."],
         sources: &["chapter §6, MuJoCo's choice", MODEL],
         check: check!(push),
     },
     Claim {
         id: "S6.solref-solimp-roles",
-        statement: "solref is what the constraint wants, the target dynamics; solimp what it is able to do, soft or hard with the \
-            violation. Together they determine a_ref and R; their jobs differ and have to be understood separately.",
+        statement: r"solref is what the constraint wants, the target dynamics; solimp what it is able to do, soft or hard with the
+            violation. Together they determine $a_\text{ref}$ and $R$; their jobs differ and have to be understood separately.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: beyond the width the motion without load is that of solref, for d_w cancels; a_ref contains d(δ) \
-            and \
-            d_w from solimp, and under load the depth at rest depends on both.",
-        argument: "solimp (1/2, 1/2, …) in place of (19/20, 19/20, …), solref (1/50, 1): d² k = 2500 and d b = 100 both times, but a_ref \
-            at φ = −1 mm is 5 m/s² in place of 50/19, and 1 kg rests under g = 10 m/s² at 2/1000 m in place of 1/5000 m.",
-        controls: &["The same solimp twice.", "solref (1/100, 1) with the one of the two solimp."],
+        correct_statement: r"As stated: beyond the width the motion without load is that of solref, for $d_w$ cancels; $a_\text{ref}$
+            contains $d(\delta)$ and $d_w$ from solimp, and under load the depth at rest depends on both.",
+        argument: r"solimp $(1/2, 1/2, \ldots)$ in place of $(19/20, 19/20, \ldots)$, solref $(1/50, 1)$: $d^2\,k = 2500$ and $d\,b = 100$
+            both times, but $a_\text{ref}$ at $\varphi = -1$ mm is 5 m/s² in place of 50/19, and 1 kg rests under $g = 10$ m/s² at 2/1000
+            m in place of 1/5000 m.",
+        controls: &["The same solimp twice.", r"solref $(1/100, 1)$ with the one of the two solimp."],
         sources: &["chapter §6, step 3 and the pitfall on solref and solimp", PARAMETERS],
         check: check!(roles),
     },

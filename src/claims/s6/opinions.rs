@@ -30,8 +30,8 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Certified,
         correct_statement: "The optimum is a Lipschitz function of the step's data while the set of contacts stays the same. The step as a \
             function of the state jumps where a moving contact enters that set, so it has no gradient there.",
-        argument: "A ball of 1 kg that falls at 1 m/s, 10⁻¹² m above and below touch: v⁺ differs by d₀ h (g + b v) = 0.207 m/s, the same \
-            at a thousandth of the distance. MJX itself was not run; its issue tracker reports NaN gradients.",
+        argument: r"A ball of 1 kg that falls at 1 m/s, $10^{-12}$ m above and below touch: $v^+$ differs by $d_0\,h\,(g + b\,v) = 0.207$
+            m/s, the same at a thousandth of the distance. MJX itself was not run; its issue tracker reports NaN gradients.",
         controls: &["The ball at rest without weight, where nothing jumps."],
         sources: &["chapter §6, consequences", MODEL, "github.com/google-deepmind/mujoco, issues 1517 and 2841"],
         check: check!(jump_at_touch),
@@ -43,8 +43,8 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "Forces follow from accelerations in closed form, f = −∇s(Ja − a_ref). That is invertibility; the motion itself \
-            is not reversible, since contact dissipates.",
+        correct_statement: r"Forces follow from accelerations in closed form, $f = -\nabla s(Ja - a_\text{ref})$. That is invertibility;
+            the motion itself is not reversible, since contact dissipates.",
         argument: "Stack of three: an arbitrary change of velocity has a closed-form push that causes it, and Newton finds it again from \
             the push. A ball dropped from 2 m and turned round in the air after half a second returns to its start. One dropped from 0.2 m \
             comes back to its bed on the floor instead, 0.2 m below its start.",
@@ -80,9 +80,9 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Measured,
         correct_statement: "It depends on the model, as MuJoCo's documentation says. A pyramid has four rows for three but a piecewise \
             quadratic cost: it pays where Newton saves more steps than the fourth row costs.",
-        argument: "Multiplications of Newton until the change of velocity is right to a high accuracy, n n_v² + n_v³/3 per step with n \
-            rows and n_v velocities: fewer over pyramids on a stack of ten, where n is 160 against 120; a fifth more on one ball, which \
-            takes one step over either cone.",
+        argument: r"Multiplications of Newton until the change of velocity is right to a high accuracy, $n\,n_v^2 + n_v^3/3$ per step with
+            $n$ rows and $n_v$ velocities: fewer over pyramids on a stack of ten, where $n$ is 160 against 120; a fifth more on one ball,
+            which takes one step over either cone.",
         controls: &["The stack of ten and the ball exchanged."],
         sources: &["chapter §6, step 4", MODEL],
         check: check!(row_counts),
@@ -98,8 +98,8 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Measured by the depth at rest: against Siconos, whose contact is rigid, always. Against SAP with MuJoCo's \
             defaults and 1e5 N/m: both are soft, by parameters, and either can be made the softer one. (The force at rest is the weight in \
             all three.)",
-        argument: "Depth of 1 kg on one contact: 3.67e-4 m in MuJoCo by default, 9.81e-5 m in SAP with 1e5 N/m, 0 after a hundred rigid \
-            steps of Moreau–Jean in rationals; with solref (−10⁶, −10³) MuJoCo's is smaller than SAP's.",
+        argument: r"Depth of 1 kg on one contact: 3.67e-4 m in MuJoCo by default, 9.81e-5 m in SAP with 1e5 N/m, 0 after a hundred rigid
+            steps of Moreau–Jean in rationals; with solref $(-10^6, -10^3)$ MuJoCo's is smaller than SAP's.",
         controls: &[
             "MuJoCo's default in both comparisons.",
             "SAP with 1e4 N/m, and a start 1 mm deep, which a velocity-level scheme keeps.",

@@ -14,82 +14,92 @@ const DOCUMENTATION: &str = "MuJoCo documentation, Modeling: solver parameters (
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S6.aref-form",
-        statement: "The reference acceleration is that of a virtual spring and damper, with stiffness k_p and damping k_d.",
+        statement: r"The reference acceleration is that of a virtual spring and damper, with stiffness $k_p$ and damping $k_d$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Definition,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated: a_ref = −b φ̇ − k d φ. The stiffness k d depends on the depth through the impedance d, so that the \
-            spring is linear only where d is constant.",
-        argument: "Default parameters, φ = −1 mm, φ̇ = −3/10 m/s: a_ref = 650/19 = 34.2105 m/s², in rationals, and from the rounded \
-            formula that reproduces the stored runs of MuJoCo. The stiffness at half a millimetre is another one.",
-        controls: &["φ̇ = +3/10 m/s, with the damper's sign reversed."],
+        correct_statement: r"As stated: $a_\text{ref} = -b\,\dot\varphi - k\,d\,\varphi$. The stiffness $k\,d$ depends on the depth
+            through the impedance $d$, so that the spring is linear only where $d$ is constant.",
+        argument: r"Default parameters, $\varphi = -1$ mm, $\dot\varphi = -3/10$ m/s: $a_\text{ref} = 650/19 = 34.2105$ m/s², in
+            rationals, and from the rounded formula that reproduces the stored runs of MuJoCo. The stiffness at half a millimetre is
+            another one.",
+        controls: &[r"$\dot\varphi = +3/10$ m/s, with the damper's sign reversed."],
         sources: &["chapter §6, step 3", DOCUMENTATION],
         check: check!(form),
     },
     Claim {
         id: "S6.solref-meaning",
-        statement: "solref = (timeconst, dampratio) defines time constant and damping ratio of the virtual spring and damper, as natural \
-            frequency and damping ratio, with ω₀ = 1/timeconst (so in the rule timeconst ≥ 2h, and in §8 where that rule comes from).",
+        statement: r"solref = (timeconst, dampratio) defines time constant and damping ratio of the virtual spring and damper, as natural
+            frequency and damping ratio, with $\omega_0 = 1$/timeconst (so in the rule timeconst $\ge 2h$, and in §8 where that rule comes
+            from).",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "ω₀ = 1/(timeconst · dampratio), so 1/timeconst only at dampratio 1; the frequency and the ratio are those of \
-            an unloaded row where d = d_w. A negative solref means (−stiffness, −damping) per mass.",
-        argument: "From d² k = ω₀² and d b = 2ζω₀ at d = d_w, in rationals: (1/50 s, 1) has ω₀ = 50 1/s; (1/50, 1/2) has ω₀ = 100, ζ = \
-            1/2; (1/50, 2) has ω₀² = 625. (−2500, −100) is the same as (1/50, 1).",
-        controls: &["dampratio 1 in place of 1/2 and 2.", "The surface, where d = d₀, in place of a depth beyond the width."],
+        correct_statement: r"$\omega_0 = 1$/(timeconst · dampratio), so 1/timeconst only at dampratio 1; the frequency and the ratio are
+            those of an unloaded row where $d = d_w$. A negative solref means (−stiffness, −damping) per mass.",
+        argument: r"From $d^2\,k = \omega_0^2$ and $d\,b = 2\zeta\omega_0$ at $d = d_w$, in rationals: $(1/50\,\mathrm{s}, 1)$ has
+            $\omega_0 = 50$ 1/s; $(1/50, 1/2)$ has $\omega_0 = 100$, $\zeta = 1/2$; $(1/50, 2)$ has $\omega_0^2 = 625$. $(-2500, -100)$ is
+            the same as $(1/50, 1)$.",
+        controls: &["dampratio 1 in place of 1/2 and 2.", r"The surface, where $d = d_0$, in place of a depth beyond the width."],
         sources: &["chapter §6, step 3 and the numerical example of solref", DOCUMENTATION],
         check: check!(meaning),
     },
     Claim {
         id: "S6.kp-kd",
-        statement: "The default solref = (0.02, 1) means k_p = ω₀² = 2500 and k_d = 2ζω₀ = 100 per unit of effective mass.",
+        statement: r"The default solref $= (0.02, 1)$ means $k_p = \omega_0^2 = 2500$ and $k_d = 2\zeta\omega_0 = 100$ per unit of
+            effective mass.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "They are d² k and d b, the coefficients of the motion of a row that carries no load, from a depth of 1 mm on, \
-            where d = d_w. At the surface, d = 9/10, they are 810000/361 = 2243.77 1/s² and 1800/19 = 94.74 1/s.",
-        argument: "MuJoCo's k and b, which it divides by d_w, and the default impedance, in rationals at depths of 0, 1/2, 1 and 5 mm.",
+        correct_statement: r"They are $d^2\,k$ and $d\,b$, the coefficients of the motion of a row that carries no load, from a depth of 1
+            mm on, where $d = d_w$. At the surface, $d = 9/10$, they are $810000/361 = 2243.77$ 1/s² and $1800/19 = 94.74$ 1/s.",
+        argument: r"MuJoCo's $k$ and $b$, which it divides by $d_w$, and the default impedance, in rationals at depths of 0, 1/2, 1 and 5
+            mm.",
         controls: &[
             "A depth of 1 mm in place of 1/2 mm and the surface.",
-            "2500 and 100 taken for the coefficients of a_ref at d_w: k d_w = 2500, b = 100.",
+            r"2500 and 100 taken for the coefficients of $a_\text{ref}$ at $d_w$: $k\,d_w = 2500$, $b = 100$.",
         ],
         sources: &["chapter §6, numerical example of solref", DOCUMENTATION],
         check: check!(effective),
     },
     Claim {
         id: "S6.aref-2500-100",
-        statement: "With the default parameters a_ref = −2500 φ − 100 φ̇.",
+        statement: r"With the default parameters $a_\text{ref} = -2500\,\varphi - 100\,\dot\varphi$.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "a_ref = −k d φ − b φ̇ with b = 2000/19 = 105.26 1/s and k d from 900000/361 = 2493.07 1/s² at the surface to \
-            50000/19 = 2631.58 from 1 mm on: MuJoCo divides by d_w so that the motion, which is d a_ref, gets 2500 and 100 there.",
-        argument: "φ = −1 mm at rest: a_ref = 50/19 = 2.632 m/s², not 5/2. φ = 0, φ̇ = −1 m/s: 2000/19 m/s², not 100. d a_ref is 5/2 and \
-            100 at d = d_w.",
-        controls: &["solref = (−2375, −95) with constant impedance 19/20, where the printed coefficients are right."],
+        correct_statement: r"$a_\text{ref} = -k\,d\,\varphi - b\,\dot\varphi$ with $b = 2000/19 = 105.26$ 1/s and $k\,d$ from
+            $900000/361 = 2493.07$ 1/s² at the surface to $50000/19 = 2631.58$ from 1 mm on: MuJoCo divides by $d_w$ so that the motion,
+            which is $d\,a_\text{ref}$, gets 2500 and 100 there.",
+        argument: r"$\varphi = -1$ mm at rest: $a_\text{ref} = 50/19 = 2.632$ m/s², not 5/2. $\varphi = 0$, $\dot\varphi = -1$ m/s:
+            2000/19 m/s², not 100. $d\,a_\text{ref}$ is 5/2 and 100 at $d = d_w$.",
+        controls: &[r"solref $= (-2375, -95)$ with constant impedance 19/20, where the printed coefficients are right."],
         sources: &["chapter §6, numerical example of solref", DOCUMENTATION],
         check: check!(coefficients),
     },
     Claim {
         id: "S6.critical-no-overshoot",
-        statement: "Critical damping, ζ = 1, pushes the violation back to zero without overshoot; it is the default because it returns \
-            fastest and does not oscillate.",
+        statement: r"Critical damping, $\zeta = 1$, pushes the violation back to zero without overshoot; it is the default because it
+            returns fastest and does not oscillate.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "Without overshoot for a two-sided row without load, pushed back from rest or hit. A contact cannot pull: an \
-            impact leaves the surface at e⁻² = 13.5 % of its speed. Fastest holds for a given ω₀; for a given timeconst, which is what \
-            solref holds fixed, every ζ ≤ 1 decays at the same rate 1/timeconst.",
-        argument: "Characteristic polynomial λ² + (2/t_c) λ + 1/(t_c ζ)²: discriminant 0 at ζ = 1, complex roots with real part −1/t_c for \
-            ζ < 1, at ζ = 5/4 a root −2/5 of 1/t_c. An impact at ζ = 1 in steps of 2⁻¹⁴ of 1/ω₀: a two-sided row never comes \
-            back through the surface; the replay of MuJoCo's contact, constant impedance, rebounds at e⁻².",
-        controls: &["The two-sided row in place of the contact.", "Half the damping ratio, as if the damping were ζω₀ and not 2ζω₀."],
+        correct_statement: r"Without overshoot for a two-sided row without load, pushed back from rest or hit. A contact cannot pull: an
+            impact leaves the surface at $e^{-2} = 13.5$ % of its speed. Fastest holds for a given $\omega_0$; for a given timeconst,
+            which is what solref holds fixed, every $\zeta \le 1$ decays at the same rate 1/timeconst.",
+        argument: r"Characteristic polynomial $\lambda^2 + (2/t_c)\,\lambda + 1/(t_c\,\zeta)^2$: discriminant 0 at $\zeta = 1$, complex
+            roots with real part $-1/t_c$ for $\zeta < 1$, at $\zeta = 5/4$ a root −2/5 of $1/t_c$. An impact at $\zeta = 1$ in steps of
+            $2^{-14}$ of $1/\omega_0$: a two-sided row never comes back through the surface; the replay of MuJoCo's contact, constant
+            impedance, rebounds at $e^{-2}$.",
+        controls: &[
+            "The two-sided row in place of the contact.",
+            r"Half the damping ratio, as if the damping were $\zeta\omega_0$ and not $2\zeta\omega_0$.",
+        ],
         sources: &[
             "chapter §6, numerical example of solref",
             "Schwager and Pöschel, Coefficient of restitution and linear–dashpot model revisited (2007)",
@@ -98,16 +108,19 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S6.zeta-bounce",
-        statement: "ζ < 1 is underdamped and bounces; ζ > 1 returns more slowly.",
+        statement: r"$\zeta < 1$ is underdamped and bounces; $\zeta > 1$ returns more slowly.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated. The bounce of a contact falls with ζ without vanishing at 1: e(ζ) = exp(−ζ/√(1−ζ²) · acos(2ζ²−1)), \
-            e⁻² at 1, and smaller beyond.",
-        argument: "Replay of MuJoCo's contact at ζ = 1/10, 3/10, 1/2, 1, 2: rebound 0.74408, 0.45098, 0.29844, 0.13534, 0.04777. For ζ ≤ \
-            1 the violation decays as 1/t_c; at ζ = 5/4 the slower root is −2/5 of 1/t_c.",
-        controls: &["1/ζ in place of ζ.", "Half the damping ratio, as if the damping were ζω₀ and not 2ζω₀."],
+        correct_statement: r"As stated. The bounce of a contact falls with $\zeta$ without vanishing at 1: $e(\zeta) = \exp(-\zeta/\sqrt{1
+            - \zeta^2} \cdot \operatorname{acos}(2\zeta^2 - 1))$, $e^{-2}$ at 1, and smaller beyond.",
+        argument: r"Replay of MuJoCo's contact at $\zeta = 1/10$, 3/10, 1/2, 1, 2: rebound 0.74408, 0.45098, 0.29844, 0.13534, 0.04777.
+            For $\zeta \le 1$ the violation decays as $1/t_c$; at $\zeta = 5/4$ the slower root is −2/5 of $1/t_c$.",
+        controls: &[
+            r"$1/\zeta$ in place of $\zeta$.",
+            r"Half the damping ratio, as if the damping were $\zeta\omega_0$ and not $2\zeta\omega_0$.",
+        ],
         sources: &["chapter §6, numerical example of solref", "Schwager and Pöschel (2007)"],
         check: check!(bounce),
     },

@@ -21,13 +21,14 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, where subdifferentiable means Lipschitz with one-sided derivatives in every direction. R > 0 \
+        correct_statement: r"As stated, where subdifferentiable means Lipschitz with one-sided derivatives in every direction. $R > 0$
             changes the size of the kinks and does not remove them (S6.smooth-everywhere).",
-        argument: "f = max(0, −q/W), W = 2: one-sided derivatives −1/2 and 0 at q = 0. Cone with μ = 1/2 and W = I at the load (−2, 1), \
-            where stick becomes slip: ∂f_t/∂b_t = −1 on the side of stick and −1/5 on that of slip. Dual numbers over rationals.",
+        argument: r"$f = \max(0, -q/W)$, $W = 2$: one-sided derivatives −1/2 and 0 at $q = 0$. Cone with $\mu = 1/2$ and $W = I$ at the
+            load $(-2, 1)$, where stick becomes slip: $\partial f_t/\partial b_t = -1$ on the side of stick and −1/5 on that of slip. Dual
+            numbers over rationals.",
         controls: &[
-            "q = −1 and the load (−2, 1/2), inside contact and stick.",
-            "q = 1 and the load (−2, 2), outside contact and inside slip.",
+            r"$q = -1$ and the load $(-2, 1/2)$, inside contact and stick.",
+            r"$q = 1$ and the load $(-2, 2)$, outside contact and inside slip.",
         ],
         sources: &["chapter §6, hard contact and learning", "Cottle, Pang and Stone, The Linear Complementarity Problem, chapter 7"],
         check: check!(hard_kinks),
@@ -40,30 +41,31 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::BrokenTheorem),
         evidence: Evidence::Certified,
-        correct_statement: "The force jumps at touch, for there is no row above the surface and d₀ > 0 below it: by d₀ m (b|v| + g) at \
-            approach speed |v|. As a function of the control it is Lipschitz, with kinks where a contact begins to press and where it \
-            begins to slip.",
-        argument: "1 kg at −1 m/s under 9.81 m/s², default parameters: 0 above the surface, 9/10 (2000/19 + 981/100) = 103.566 N just \
-            below; with d₀ = 0, which MuJoCo raises to its least value, 0.0115 N. Control: ∂f/∂τ is 0 on one side of the onset and d = \
-            9/10 on the other. \
-            Load across the change from stick to slip, R = 1/9: ∂f_t/∂b_t = −9/10 and −9/50.",
+        correct_statement: r"The force jumps at touch, for there is no row above the surface and $d_0 > 0$ below it: by
+            $d_0\,m\,(b|v| + g)$ at approach speed $|v|$. As a function of the control it is Lipschitz, with kinks where a contact begins
+            to press and where it begins to slip.",
+        argument: r"1 kg at −1 m/s under 9.81 m/s², default parameters: 0 above the surface, $9/10\,(2000/19 + 981/100) = 103.566$ N just
+            below; with $d_0 = 0$, which MuJoCo raises to its least value, 0.0115 N. Control: $\partial f/\partial\tau$ is 0 on one side
+            of the onset and $d = 9/10$ on the other. Load across the change from stick to slip, $R = 1/9$:
+            $\partial f_t/\partial b_t = -9/10$ and −9/50.",
         controls: &["A quarter of a millimetre inside contact, and a load inside contact and inside stick."],
         sources: &["chapter §6, MuJoCo's choice, bridge, and the pitfall on hard contact", MODEL],
         check: check!(soft_kinks),
     },
     Claim {
         id: "S6.cone-softened",
-        statement: "MuJoCo adds R and softens the friction cone, which makes it differentiable everywhere, where Anitescu has the hard \
+        statement: r"MuJoCo adds $R$ and softens the friction cone, which makes it differentiable everywhere, where Anitescu has the hard
             cone.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "The set of forces is the hard cone; R is added to the Hessian only. A slipping contact has |f_t| = μ f_n \
-            exactly, and the penalty that eliminating the force leaves is continuously differentiable once, not twice.",
-        argument: "μ = 1/2, R = 1/9 and 1: loads (−2, b_t) with b_t = 2, 5 and 50 have f_t = f_n/2 exactly. The force is the gradient of \
-            the minimum in b, and its slope at b_t = 1 is −1/(1+R) for stick and −1/(5(1+R)) for slip.",
-        controls: &["Loads that stick, for which |f_t| < μ f_n and the slopes are equal."],
+        correct_statement: r"The set of forces is the hard cone; $R$ is added to the Hessian only. A slipping contact has
+            $|f_t| = \mu\,f_n$ exactly, and the penalty that eliminating the force leaves is continuously differentiable once, not
+            twice.",
+        argument: r"$\mu = 1/2$, $R = 1/9$ and 1: loads $(-2, b_t)$ with $b_t = 2$, 5 and 50 have $f_t = f_n/2$ exactly. The force is the
+            gradient of the minimum in $b$, and its slope at $b_t = 1$ is $-1/(1 + R)$ for stick and $-1/(5(1 + R))$ for slip.",
+        controls: &[r"Loads that stick, for which $|f_t| < \mu\,f_n$ and the slopes are equal."],
         sources: &["chapter §6, step 2 and exercise 3", MODEL],
         check: check!(hard_cone),
     },

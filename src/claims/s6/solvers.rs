@@ -31,7 +31,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Two coupled soft contacts, by projected Gauss–Seidel, accelerated projected gradients, Clarabel, and enumeration in \
             rationals: the same forces to the solvers' stopping rule times the conditioning. MuJoCo's own solvers are compared on stored \
             steps in tests/references.",
-        controls: &["One sweep of Gauss–Seidel.", "The problem without R for the other two solvers."],
+        controls: &["One sweep of Gauss–Seidel.", r"The problem without $R$ for the other two solvers."],
         sources: &["chapter §6, step 5 and the pitfall on solvers", MODEL],
         check: check!(same_optimum),
     },
@@ -43,11 +43,11 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Measured,
-        correct_statement: "As stated; it is R > 0, strict convexity, that makes the optimum unique.",
-        argument: "Box on four corners, R = 1/9: enumeration finds one optimum; with R = 0, which is convex too, at least two. Ten \
-            steps of a stack of two under MuJoCo's model: conjugate gradients started from the change of velocity of the step before \
-            need fewer iterations in all than from zero.",
-        controls: &["R = 0 in place of 1/9, and 1/9 in place of 0.", "Every step started from zero."],
+        correct_statement: r"As stated; it is $R > 0$, strict convexity, that makes the optimum unique.",
+        argument: r"Box on four corners, $R = 1/9$: enumeration finds one optimum; with $R = 0$, which is convex too, at least two. Ten
+            steps of a stack of two under MuJoCo's model: conjugate gradients started from the change of velocity of the step before need
+            fewer iterations in all than from zero.",
+        controls: &[r"$R = 0$ in place of 1/9, and 1/9 in place of 0.", "Every step started from zero."],
         sources: &["chapter §6, bridge", MODEL],
         check: check!(warm_start),
     },
@@ -60,26 +60,31 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "It converges linearly: the problem is strictly convex, and over a polyhedron Gauss–Seidel contracts the error \
             by a constant factor from some sweep on. The factor may be close to one.",
-        argument: "Two coupled soft contacts, both closed: every sweep multiplies the error by exactly H₁₂²/(H₁₁H₂₂) = 19/157, sweeps 3 to \
-            10 in rationals. The factor of a sublinear sequence rises towards 1.",
-        controls: &["Sweeps averaged with the weight 1/(k+1), which do converge sublinearly."],
+        argument: r"Two coupled soft contacts, both closed: every sweep multiplies the error by exactly
+            $H_{12}^2/(H_{11}H_{22}) = 19/157$, sweeps 3 to 10 in rationals. The factor of a sublinear sequence rises towards 1.",
+        controls: &[r"Sweeps averaged with the weight $1/(k + 1)$, which do converge sublinearly."],
         sources: &["chapter §6, table of solvers", "Luo and Tseng, On the convergence of the coordinate descent method (1992)"],
         check: check!(gauss_seidel),
     },
     Claim {
         id: "S6.same-as-anitescu",
-        statement: "MuJoCo's dual problem and Anitescu's convex problem are the same thing, up to continuous or discrete time and \
-            acceleration or impulse; they differ only in that MuJoCo adds R and softens the cone, so that MuJoCo is a special case of \
+        statement: r"MuJoCo's dual problem and Anitescu's convex problem are the same thing, up to continuous or discrete time and
+            acceleration or impulse; they differ only in that MuJoCo adds $R$ and softens the cone, so that MuJoCo is a special case of
             Anitescu's route with a softening regularisation.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "They coincide for R = 0, b = 1/h, k d = 1/h² and equal cones, with γ = h f. MuJoCo's parameters do not reach \
-            that: R ≥ Â/9999, and timeconst ≥ 2h gives k d h² ≤ 1/(4d) at ζ = 1, a quarter, while b h is at most 1/d.",
-        argument: "h (a_u − a_ref) = v_free + φ/h for b = 1/h and k d = 1/h², in rationals at φ = −1 mm, v = −3 m/s, a_u = −10 m/s², h = \
-            1/100 s. At timeconst 2h, ζ = 1 and the largest d: b h = 10000/9999, k d h² = 2500/9999, R/Â = 1/9999.",
-        controls: &["b = 1/h and k d = 1/h² in place of MuJoCo's stiffest parameters.", "k = 0, the gap term φ/h forgotten."],
+        correct_statement: r"They coincide for $R = 0$, $b = 1/h$, $k\,d = 1/h^2$ and equal cones, with $\gamma = h\,f$. MuJoCo's
+            parameters do not reach that: $R \ge \hat A/9999$, and timeconst $\ge 2h$ gives $k\,d\,h^2 \le 1/(4d)$ at $\zeta = 1$, a
+            quarter, while $b\,h$ is at most $1/d$.",
+        argument: r"$h\,(a_u - a_\text{ref}) = v_\text{free} + \varphi/h$ for $b = 1/h$ and $k\,d = 1/h^2$, in rationals at $\varphi = -1$
+            mm, $v = -3$ m/s, $a_u = -10$ m/s², $h = 1/100$ s. At timeconst $2h$, $\zeta = 1$ and the largest $d$: $b\,h = 10000/9999$,
+            $k\,d\,h^2 = 2500/9999$, $R/\hat A = 1/9999$.",
+        controls: &[
+            r"$b = 1/h$ and $k\,d = 1/h^2$ in place of MuJoCo's stiffest parameters.",
+            r"$k = 0$, the gap term $\varphi/h$ forgotten.",
+        ],
         sources: &[
             "chapter §6, insight on Anitescu's problem",
             "Anitescu, Optimization-based simulation of nonsmooth rigid multibody dynamics (2006)",
@@ -93,10 +98,11 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "Larger is harder, as stated. R_n/R_t = impratio: with “impedance” for R, as in the chapter's table of symbols, \
-            the sentence is right; with impedance as what is hard, as in its step 3, impratio is the ratio of tangential to normal.",
-        argument: "Creep of one elliptic contact under a tangential load, v_t = R_t f_t/b: ten times smaller with impratio 10, at an \
-            unchanged depth; hence R_n/R_t = 10 and, of the hardness 1/R, a tenth.",
+        correct_statement: r"Larger is harder, as stated. $R_n/R_t$ = impratio: with “impedance” for $R$, as in the chapter's table of
+            symbols, the sentence is right; with impedance as what is hard, as in its step 3, impratio is the ratio of tangential to
+            normal.",
+        argument: r"Creep of one elliptic contact under a tangential load, $v_t = R_t\,f_t/b$: ten times smaller with impratio 10, at an
+            unchanged depth; hence $R_n/R_t = 10$ and, of the hardness $1/R$, a tenth.",
         controls: &["impratio 1."],
         sources: &["chapter §6, step 4", "MuJoCo documentation, option impratio (3.17)"],
         check: check!(impedance_ratio),

@@ -18,34 +18,36 @@ const REFSAFE: &str = "MuJoCo documentation, option flag refsafe (3.17)";
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S6.timeconst-2h-doc",
-        statement: "timeconst ≥ 2h is a hard recommendation of MuJoCo's documentation; behind it stands numerical stability.",
+        statement: r"timeconst $\ge 2h$ is a hard recommendation of MuJoCo's documentation; behind it stands numerical stability.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "MuJoCo enforces it: with refsafe, the default, a smaller timeconst counts as 2h. The direct form (−stiffness, \
-            −damping) is not limited. It keeps contacts with dampratio > 1/(2√2) = 0.354 stable, and no others.",
-        argument: "h = 2 ms: timeconst 1, 2 and 3 ms have the k and b of 4 ms, in rationals. At timeconst = 2h, s = hω₀ = 1/(2ζ), which is \
-            below the bound 2(√(1+ζ²) − ζ) for ζ above 1/(2√2): decided at ζ = 36/100 and 35/100.",
-        controls: &["dampratio 0.4 in place of 0.35 and 0.2.", "refsafe off and timeconst = h."],
+        correct_statement: r"MuJoCo enforces it: with refsafe, the default, a smaller timeconst counts as $2h$. The direct form
+            (−stiffness, −damping) is not limited. It keeps contacts with dampratio $> 1/(2\sqrt2) = 0.354$ stable, and no others.",
+        argument: r"$h = 2$ ms: timeconst 1, 2 and 3 ms have the $k$ and $b$ of 4 ms, in rationals. At timeconst $= 2h$,
+            $s = h\omega_0 = 1/(2\zeta)$, which is below the bound $2(\sqrt{1 + \zeta^2} - \zeta)$ for $\zeta$ above $1/(2\sqrt2)$:
+            decided at $\zeta = 36/100$ and 35/100.",
+        controls: &["dampratio 0.4 in place of 0.35 and 0.2.", r"refsafe off and timeconst $= h$."],
         sources: &[STABILITY, REFSAFE],
         check: check!(enforced),
     },
     Claim {
         id: "S6.timeconst-lt-2h-unstable",
-        statement: "If timeconst < 2h, the discrete spring and damper oscillates unstably: the contact force switches between pressing and \
-            releasing at high frequency.",
+        statement: r"If timeconst $< 2h$, the discrete spring and damper oscillates unstably: the contact force switches between pressing
+            and releasing at high frequency.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Certified,
-        correct_statement: "At the default ζ = 1 it is stable for timeconst > (1+√2)h/2 = 1.2071 h. Below 2h one eigenvalue is negative: a \
-            component that changes its sign every step and decays. Between 1.25h and 1.5h a contact, which cannot pull, starts to chatter.",
-        argument: "w = h/timeconst: z² − (2 − 2w − w²)z + (1 − 2w) = 0. The determinant is 0 at 2h and negative below; decided in \
-            rationals: decay at 1.9h, 1.5h, 1.25h, growth at 1.2h, and both sides of 1.2071h. Spectral radius 0.69906 at 1.5h. Replayed \
-            contact: at rest with 1.5h, thrown up again and again with 1.2h.",
+        correct_statement: r"At the default $\zeta = 1$ it is stable for timeconst $> (1 + \sqrt2)h/2 = 1.2071\,h$. Below $2h$ one
+            eigenvalue is negative: a component that changes its sign every step and decays. Between $1.25h$ and $1.5h$ a contact, which
+            cannot pull, starts to chatter.",
+        argument: r"$w = h$/timeconst: $z^2 - (2 - 2w - w^2)z + (1 - 2w) = 0$. The determinant is 0 at $2h$ and negative below; decided in
+            rationals: decay at $1.9h$, $1.5h$, $1.25h$, growth at $1.2h$, and both sides of $1.2071h$. Spectral radius 0.69906 at $1.5h$.
+            Replayed contact: at rest with $1.5h$, thrown up again and again with $1.2h$.",
         controls: &[
-            "timeconst = 1.2h in place of all longer ones.",
+            r"timeconst $= 1.2h$ in place of all longer ones.",
             "The implicit rule in place of the semi-implicit one, and refsafe on.",
         ],
         sources: &[STABILITY],
@@ -53,47 +55,48 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S6.omega-gt-1-over-2h",
-        statement: "timeconst < 2h means ω₀ > 1/(2h): the constraint is faster than the step.",
+        statement: r"timeconst $< 2h$ means $\omega_0 > 1/(2h)$: the constraint is faster than the step.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "For dampratio 1. Since ω₀ = 1/(timeconst · dampratio), timeconst < 2h means ω₀ > 1/(2h · dampratio).",
-        argument: "h = 1: timeconst = 3, dampratio 1/2: ω₀ > 1/(2h) although timeconst ≥ 2h; timeconst = 1, dampratio 4: ω₀ < 1/(2h) \
-            although timeconst < 2h. With dampratio 1, timeconst 199/100 and 201/100 lie on the two sides.",
+        correct_statement: r"For dampratio 1. Since $\omega_0 = 1$/(timeconst · dampratio), timeconst $< 2h$ means $\omega_0 > 1$/($2h$ ·
+            dampratio).",
+        argument: r"$h = 1$: timeconst $= 3$, dampratio 1/2: $\omega_0 > 1/(2h)$ although timeconst $\ge 2h$; timeconst $= 1$, dampratio
+            4: $\omega_0 < 1/(2h)$ although timeconst $< 2h$. With dampratio 1, timeconst 199/100 and 201/100 lie on the two sides.",
         controls: &[
             "dampratio 1 in place of 1/2 and 4.",
-            "The impedance of the surface in place of d_w, with which the row is softer.",
-            "The step doubled, h = 2.",
+            r"The impedance of the surface in place of $d_w$, with which the row is softer.",
+            r"The step doubled, $h = 2$.",
         ],
         sources: &[STABILITY],
         check: check!(faster_than_the_step),
     },
     Claim {
         id: "S6.steps-per-period",
-        statement: "timeconst ≥ 2h guarantees that each period of the constraint is resolved by at least a few steps.",
+        statement: r"timeconst $\ge 2h$ guarantees that each period of the constraint is resolved by at least a few steps.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "The undamped period 2π/ω₀ has 2π ζ timeconst/h ≥ 4πζ steps: 12.6 at ζ = 1, 1.26 at ζ = 1/10, where the rule \
-            does not prevent divergence (S6.timeconst-2h-doc).",
-        argument: "h ω₀ = 1/(2ζ) at timeconst = 2h, in rationals from the coefficients: 1/2 at ζ = 1, 5 at ζ = 1/10; three steps per \
-            period need hω₀ < 2π/3 < 21/10.",
-        controls: &["ζ = 1 in place of 1/10.", "timeconst = h/4, against the rule."],
+        correct_statement: r"The undamped period $2\pi/\omega_0$ has $2\pi\,\zeta$ timeconst/$h \ge 4\pi\zeta$ steps: 12.6 at $\zeta = 1$,
+            1.26 at $\zeta = 1/10$, where the rule does not prevent divergence (S6.timeconst-2h-doc).",
+        argument: r"$h\,\omega_0 = 1/(2\zeta)$ at timeconst $= 2h$, in rationals from the coefficients: 1/2 at $\zeta = 1$, 5 at
+            $\zeta = 1/10$; three steps per period need $h\omega_0 < 2\pi/3 < 21/10$.",
+        controls: &[r"$\zeta = 1$ in place of 1/10.", r"timeconst $= h/4$, against the rule."],
         sources: &[STABILITY],
         check: check!(period),
     },
     Claim {
         id: "S6.2h-example",
-        statement: "At h = 2 ms timeconst must be at least 4 ms; the default 20 ms is far above that, so it is safe.",
+        statement: r"At $h = 2$ ms timeconst must be at least 4 ms; the default 20 ms is far above that, so it is safe.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, at dampratio 1: the default has w = h/timeconst = 1/10 against the bound 0.828.",
-        argument: "Powers of the step matrix at w = 1/10 and at w = 1/2 decay; 20 ms is not moved by the limit, 3 ms is.",
-        controls: &["timeconst 2 ms in place of 4 ms.", "h = 20 ms in place of 2 ms."],
+        correct_statement: r"As stated, at dampratio 1: the default has $w = h$/timeconst $= 1/10$ against the bound 0.828.",
+        argument: r"Powers of the step matrix at $w = 1/10$ and at $w = 1/2$ decay; 20 ms is not moved by the limit, 3 ms is.",
+        controls: &["timeconst 2 ms in place of 4 ms.", r"$h = 20$ ms in place of 2 ms."],
         sources: &[STABILITY],
         check: check!(example),
     },
@@ -105,11 +108,11 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "Without the limit of refsafe, or in the direct form. By default MuJoCo raises timeconst to 2h: a smaller one \
-            changes nothing, neither stability nor depth.",
-        argument: "Ball of 1 kg dropped from 1 mm on the replayed contact, h = 1 ms, constant impedance: timeconst = h/2 throws it higher \
-            than it fell from without the limit, and not with a tenth of the step; with the limit it rests, at the same depth for \
-            timeconst = h/2, h and 2h.",
+        correct_statement: r"Without the limit of refsafe, or in the direct form. By default MuJoCo raises timeconst to $2h$: a smaller
+            one changes nothing, neither stability nor depth.",
+        argument: r"Ball of 1 kg dropped from 1 mm on the replayed contact, $h = 1$ ms, constant impedance: timeconst $= h/2$ throws it
+            higher than it fell from without the limit, and not with a tenth of the step; with the limit it rests, at the same depth for
+            timeconst $= h/2$, $h$ and $2h$.",
         controls: &["The unlimited contact in the place of the limited one.", "The step and its tenth exchanged."],
         sources: &["chapter §6, pitfall on stiffness", REFSAFE],
         check: check!(stiff),
@@ -123,8 +126,8 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Certified,
         correct_statement: "By default nothing, for it counts as 4 ms. Without refsafe a two-sided row oscillates with alternating sign \
             and grows by the golden ratio, 1.618, every step; a contact is thrown up.",
-        argument: "w = 1, ζ = 1: trace −1, determinant −1, z² + z − 1 = 0, z = −(1+√5)/2.",
-        controls: &["refsafe off.", "The default timeconst, 10h, in place of h."],
+        argument: r"$w = 1$, $\zeta = 1$: trace −1, determinant −1, $z^2 + z - 1 = 0$, $z = -(1 + \sqrt5)/2$.",
+        controls: &["refsafe off.", r"The default timeconst, $10h$, in place of $h$."],
         sources: &["chapter §6, exercise 2", REFSAFE],
         check: check!(equal_to_the_step),
     },

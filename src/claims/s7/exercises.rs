@@ -13,32 +13,33 @@ use crate::tolerance::rounding;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.ex1",
-        statement: "Exercise 1: two balls in central impact under Newton's law and conservation of momentum have ΔE = −½(1 − e²) μ₁₂ (v₁ − \
-            v₂)², μ₁₂ = m₁m₂/(m₁ + m₂).",
+        statement: r"Exercise 1: two balls in central impact under Newton's law and conservation of momentum have
+            $\Delta E = -\tfrac12(1 - e^2)\,\mu_{12}\,(v_1 - v_2)^2$, $\mu_{12} = m_1m_2/(m_1 + m_2)$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Exercise,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated; v₁⁺ = (m₁v₁ + m₂v₂ − e m₂(v₁ − v₂))/(m₁ + m₂) and v₂⁺ = (m₁v₁ + m₂v₂ + e m₁(v₁ − v₂))/(m₁ + m₂).",
-        argument: "W = 1/μ₁₂ and U⁻ = v₂ − v₁ in Moreau's law give the impulse; the energies of both balls before and after it differ by \
-            the formula, in rationals, for masses 2/7, 1, 5 and e = 0, 1/3, 1.",
+        correct_statement: r"As stated; $v_1^+ = (m_1v_1 + m_2v_2 - e\,m_2(v_1 - v_2))/(m_1 + m_2)$ and
+            $v_2^+ = (m_1v_1 + m_2v_2 + e\,m_1(v_1 - v_2))/(m_1 + m_2)$.",
+        argument: r"$W = 1/\mu_{12}$ and $U^- = v_2 - v_1$ in Moreau's law give the impulse; the energies of both balls before and after
+            it differ by the formula, in rationals, for masses 2/7, 1, 5 and $e = 0$, 1/3, 1.",
         controls: &["A second ball that is held on its course, as if its mass were infinite."],
         sources: &["chapter §7, exercise 1"],
         check: check!(two_balls),
     },
     Claim {
         id: "S7.ex2",
-        statement: "Exercise 2: find a counterexample like Kane's, for instance a rod that hits two fixed points at once; why may \
-            Newton's law, applied point by point with e = 1 at each, increase the total kinetic energy?",
+        statement: r"Exercise 2: find a counterexample like Kane's, for instance a rod that hits two fixed points at once; why may
+            Newton's law, applied point by point with $e = 1$ at each, increase the total kinetic energy?",
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Exercise,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "It depends on what “pointwise” means. With impulses computed as if each point were alone the rod gains \
-            energy. If both velocities are reversed, U⁺ = −U⁻, it does not: without friction that conserves energy, whatever the \
+        correct_statement: r"It depends on what “pointwise” means. With impulses computed as if each point were alone the rod gains
+            energy. If both velocities are reversed, $U^+ = -U^-$, it does not: without friction that conserves energy, whatever the
             coupling. Further gains need unequal coefficients with a separating end, or friction.",
-        argument: "Rod of 1 kg and 2 m, supports at ±1, ±1/2, ±1/4 m, three pairs of velocities: ΔT = 0 with U⁺ = −U⁻. Supports at ±1/4 \
-            m, U⁻ = (−1, −1), impulses computed point by point: a gain of 832/361 J.",
+        argument: r"Rod of 1 kg and 2 m, supports at ±1, ±1/2, ±1/4 m, three pairs of velocities: $\Delta T = 0$ with $U^+ = -U^-$.
+            Supports at ±1/4 m, $U^- = (-1, -1)$, impulses computed point by point: a gain of 832/361 J.",
         controls: &[
             "Two bodies of their own in the rod's place: each point is alone.",
             "Impulses computed point by point for the rods whose velocities are reversed.",
@@ -48,35 +49,36 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S7.ex3",
-        statement: "Exercise 3: expand −P ∈ N_{T_C}(v⁺ + e v⁻) for v⁻ ≈ 0 and for v⁻ < 0; to which conditions does it reduce? By the \
-            section's own text to v⁺ ≥ 0 with resting contact, and to v⁺ = −e v⁻.",
+        statement: r"Exercise 3: expand $-P \in N_{T_C}(v^+ + e\,v^-)$ for $v^- \approx 0$ and for $v^- < 0$; to which conditions does it
+            reduce? By the section's own text to $v^+ \ge 0$ with resting contact, and to $v^+ = -e\,v^-$.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Exercise,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "For a contact that takes an impulse, 0 ≤ v⁺ + e v⁻ ⟂ P ≥ 0. A contact that its neighbour lifts takes none and \
-            leaves faster than −e v⁻.",
-        argument: "W = 2, e = 1/2: v⁺ = 1/2 for v⁻ = −1. For small v⁻ = −1/1000 the same formula gives 1/2000: it tends to the resting \
-            case. Beside a contact that arrives at −4 m/s it leaves at 2 m/s.",
+        correct_statement: r"For a contact that takes an impulse, $0 \le v^+ + e\,v^- \perp P \ge 0$. A contact that its neighbour lifts
+            takes none and leaves faster than $-e\,v^-$.",
+        argument: r"$W = 2$, $e = 1/2$: $v^+ = 1/2$ for $v^- = -1$. For small $v^- = -1/1000$ the same formula gives 1/2000: it tends to
+            the resting case. Beside a contact that arrives at −4 m/s it leaves at 2 m/s.",
         controls: &["The contact without its neighbour.", "The restitution forgotten."],
         sources: &["chapter §7, exercise 3"],
         check: check!(two_cases),
     },
     Claim {
         id: "S7.routh",
-        statement: "With friction the compression impulse couples through W into the tangential direction, so that the end of compression \
-            is not tied to the velocity ratio.",
+        statement: r"With friction the compression impulse couples through $W$ into the tangential direction, so that the end of
+            compression is not tied to the velocity ratio.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated, and solvable in closed form for one planar contact: the slip stops at P_s = |U_t|/(μW_tt − sW_nt), \
-            then sticks if μ ≥ |W_nt|/W_tt and turns round otherwise; Newton, Poisson and Stronge end at different points of one path of \
-            at most two straight pieces.",
-        argument: "The rod, e = 1. μ = 1 sticks: P = (41/40, 3/8) and (4/5, 6/25) under Newton and Poisson, so that the velocity ratio 1 \
-            is the impulse ratio 25/16. μ = 1/2 turns round: (368/385, 20/77) and (296/385, 64/385), under Stronge ΔT = −0.055264. With \
-            W_nt > 0 it slides on and the laws agree: (8/7, −4/7). Each from the path and from the formulas by regime.",
-        controls: &["The rod without friction, where the velocity ratio 1 is the impulse ratio 1.", "W_nt with the wrong sign."],
+        correct_statement: r"As stated, and solvable in closed form for one planar contact: the slip stops at
+            $P_s = |U_t|/(\mu W_{tt} - sW_{nt})$, then sticks if $\mu \ge |W_{nt}|/W_{tt}$ and turns round otherwise; Newton, Poisson and
+            Stronge end at different points of one path of at most two straight pieces.",
+        argument: r"The rod, $e = 1$. $\mu = 1$ sticks: $P = (41/40, 3/8)$ and $(4/5, 6/25)$ under Newton and Poisson, so that the
+            velocity ratio 1 is the impulse ratio 25/16. $\mu = 1/2$ turns round: $(368/385, 20/77)$ and $(296/385, 64/385)$, under
+            Stronge $\Delta T = -0.055264$. With $W_{nt} > 0$ it slides on and the laws agree: $(8/7, -4/7)$. Each from the path and from
+            the formulas by regime.",
+        controls: &["The rod without friction, where the velocity ratio 1 is the impulse ratio 1.", r"$W_{nt}$ with the wrong sign."],
         sources: &["chapter §7, comparison of Poisson and Newton", "Routh 1905; Wang and Mason, J. Appl. Mech. 59 (1992) 635"],
         check: check!(routh),
     },

@@ -20,13 +20,13 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, of some configurations: if each impulse is computed as if its contact were alone, with unequal \
-            coefficients, or with friction. Not without friction for one e and the coupled problem: ΔT = −½(1 − e²)U⁻ᵀW⁻¹U⁻ ≤ 0, and e = \
-            1 conserves exactly.",
-        argument: "W = (2, 1; 1, 2): e = 1 and U⁻ = (−1, −1) with uncoupled impulses P = (1, 1) gains 1 J; e = (1, 0) and U⁻ = (−1, \
-            −1/2), reversed together, gains 1/12 J. One contact with friction is enough for a gain (S7.kane-friction). Solved together \
-            with e = 1 no coupled frictionless impact of a grid gains.",
-        controls: &["One e for both contacts, solved together, in the place of uncoupled impulses and of unequal coefficients."],
+        correct_statement: r"As stated, of some configurations: if each impulse is computed as if its contact were alone, with unequal
+            coefficients, or with friction. Not without friction for one $e$ and the coupled problem:
+            $\Delta T = -\tfrac12(1 - e^2)U^{-T}W^{-1}U^- \le 0$, and $e = 1$ conserves exactly.",
+        argument: r"$W = (2, 1; 1, 2)$: $e = 1$ and $U^- = (-1, -1)$ with uncoupled impulses $P = (1, 1)$ gains 1 J; $e = (1, 0)$ and
+            $U^- = (-1, -1/2)$, reversed together, gains 1/12 J. One contact with friction is enough for a gain (S7.kane-friction). Solved
+            together with $e = 1$ no coupled frictionless impact of a grid gains.",
+        controls: &[r"One $e$ for both contacts, solved together, in the place of uncoupled impulses and of unequal coefficients."],
         sources: &["chapter §7, the energy trap of Newton's law", "Kane and Levinson, Dynamics: Theory and Applications (1985)"],
         check: check!(several_contacts),
     },
@@ -37,11 +37,11 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, and one contact is enough. The rod at 45° with μ = 1, U⁻ = (−1, 3/5) has ΔT(e) = (e² − \
-            16/25)/(16/5): a gain for e > 4/5.",
-        argument: "At e = 1 P = (41/40, 3/8). ΔT = 9/80, 17/320, 0, −39/320 for e = 1, 9/10, 4/5, \
-            1/2. The end sticks in compression, then rebounds from a body that turns: the normal velocity at the sticking end costs \
-            less energy to make than friction and compression left unspent.",
+        correct_statement: r"As stated, and one contact is enough. The rod at 45° with $\mu = 1$, $U^- = (-1, 3/5)$ has
+            $\Delta T(e) = (e^2 - 16/25)/(16/5)$: a gain for $e > 4/5$.",
+        argument: r"At $e = 1$ $P = (41/40, 3/8)$. $\Delta T = 9/80$, 17/320, 0, −39/320 for $e = 1$, 9/10, 4/5, 1/2. The end sticks in
+            compression, then rebounds from a body that turns: the normal velocity at the sticking end costs less energy to make than
+            friction and compression left unspent.",
         controls: &["Poisson's law in Newton's place."],
         sources: &["chapter §7, the energy trap of Newton's law", "Stronge, J. Appl. Mech. 58 (1991) 1049"],
         check: check!(friction),
@@ -54,12 +54,12 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Exercise,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated, for uniform rods of equal mass and length at 20° and 30° and ω = (−0.1, −0.2) rad/s (masses and \
-            lengths are a choice made here): ΔT/T = +0.298 with μ = 0.5, e = 0.9, and +2.11 with μ = e = 0.7. Poisson's and Stronge's laws \
-            lose energy.",
-        argument: "Routh's path, on which sticking needs μ ≥ 0.6234. μ = 0.5, e = 0.9: ΔT/T = +0.29808, −0.40076, −0.34191 (Newton, \
-            Poisson, Stronge); μ = e = 0.7: +2.11149, −0.46146, −0.42922, each from the path and from the formulas by regime. The same in \
-            rationals at sin θ = 12/37, 8/17: Newton gains, Poisson does not.",
+        correct_statement: r"As stated, for uniform rods of equal mass and length at 20° and 30° and $\omega = (-0.1, -0.2)$ rad/s (masses
+            and lengths are a choice made here): $\Delta T/T = +0.298$ with $\mu = 0.5$, $e = 0.9$, and +2.11 with $\mu = e = 0.7$.
+            Poisson's and Stronge's laws lose energy.",
+        argument: r"Routh's path, on which sticking needs $\mu \ge 0.6234$. $\mu = 0.5$, $e = 0.9$: $\Delta T/T = +0.29808$, −0.40076,
+            −0.34191 (Newton, Poisson, Stronge); $\mu = e = 0.7$: +2.11149, −0.46146, −0.42922, each from the path and from the formulas
+            by regime. The same in rationals at $\sin \theta = 12/37$, 8/17: Newton gains, Poisson does not.",
         controls: &["The laws exchanged: Poisson's in Newton's place, Stronge's in Poisson's, Newton's in Stronge's."],
         sources: &[
             "chapter §7, exercise 2, and Kane's counterexample (named only)",
@@ -75,14 +75,14 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "Coupling alone does neither: a singular W over-constrains, and unequal coefficients inject energy if a \
-            separating contact receives an impulse or an impulse pulls. With P ≥ 0 and every contact approaching, ΔT = ½Σ(1 − e_i)P_iU_i⁻ \
-            ≤ 0 for any coefficients.",
-        argument: "Rod above supports at its ends, e = (1, 0), U⁻ = (−1, 1/2): the separating end takes 1/3 N·s, and ΔT = 1/12. Supports \
-            near the middle, U⁻ = (−1, −1/2), all reversed: P₂ = −1/3, again +1/12. With P ≥ 0 and U⁻ ≤ 0 no impact of a grid gains. \
-            W = (1, 1; 1, 1), U⁻ = (−1, −1), e = (1, 0): no impulses give both velocities.",
-        controls: &["One e in the place of unequal ones, and unequal ones in the place of one; contacts that separate among those that \
-            approach."],
+        correct_statement: r"Coupling alone does neither: a singular $W$ over-constrains, and unequal coefficients inject energy if a
+            separating contact receives an impulse or an impulse pulls. With $P \ge 0$ and every contact approaching,
+            $\Delta T = \tfrac12\sum(1 - e_i)P_iU_i^- \le 0$ for any coefficients.",
+        argument: r"Rod above supports at its ends, $e = (1, 0)$, $U^- = (-1, 1/2)$: the separating end takes 1/3 N·s, and
+            $\Delta T = 1/12$. Supports near the middle, $U^- = (-1, -1/2)$, all reversed: $P_2 = -1/3$, again +1/12. With $P \ge 0$ and
+            $U^- \le 0$ no impact of a grid gains. $W = (1, 1; 1, 1)$, $U^- = (-1, -1)$, $e = (1, 0)$: no impulses give both velocities.",
+        controls: &[r"One $e$ in the place of unequal ones, and unequal ones in the place of one; contacts that separate among those that
+                approach."],
         sources: &["chapter §7, the energy trap of Newton's law"],
         check: check!(unequal_coefficients),
     },

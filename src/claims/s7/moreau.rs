@@ -10,67 +10,67 @@ use crate::schemes::Activation;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.moreau-def",
-        statement: "Moreau: −P ∈ N_{T_C}(v⁺ + e v⁻); its normal component gives v_n⁺ = −e v_n⁻, as Newton.",
+        statement: r"Moreau: $-P \in N_{T_C}(v^+ + e\,v^-)$; its normal component gives $v_n^+ = -e\,v_n^-$, as Newton.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Definition,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "v_n⁺ = −e v_n⁻ where P > 0, v_n⁺ ≥ −e v_n⁻ elsewhere. A contact that separated before may so leave into the \
-            ground.",
-        argument: "0 ≤ U⁺ + eU⁻ ⟂ P ≥ 0. W = (2, 1; 1, 2), e = 1/2, U⁻ = (−1, −1/4): no impulse at the second contact, and U₂⁺ = 1/2, \
-            more than −eU₂⁻. W = (2, −1; −1, 2), e = 1, U⁻ = (−1, 1/2): U⁺ = (1, −1/2); the second contact approaches, and no impulse \
-            acts there.",
-        controls: &["Poisson's law in Moreau's place, and a pair with U⁻ = (−1, −1), where both contacts take an impulse."],
+        correct_statement: r"$v_n^+ = -e\,v_n^-$ where $P > 0$, $v_n^+ \ge -e\,v_n^-$ elsewhere. A contact that separated before may so
+            leave into the ground.",
+        argument: r"$0 \le U^+ + eU^- \perp P \ge 0$. $W = (2, 1; 1, 2)$, $e = 1/2$, $U^- = (-1, -1/4)$: no impulse at the second contact,
+            and $U_2^+ = 1/2$, more than $-eU_2^-$. $W = (2, -1; -1, 2)$, $e = 1$, $U^- = (-1, 1/2)$: $U^+ = (1, -1/2)$; the second
+            contact approaches, and no impulse acts there.",
+        controls: &[r"Poisson's law in Moreau's place, and a pair with $U^- = (-1, -1)$, where both contacts take an impulse."],
         sources: &["chapter §7, Moreau's law"],
         check: check!(definition),
     },
     Claim {
         id: "S7.moreau-dissipative",
-        statement: "Moreau: v_n⁺ = −e v_n⁻ as the inclusion −P ∈ N_{T_C}(v⁺ + e v⁻), which dissipates friction automatically (along the \
-            tangent, maximal dissipation).",
+        statement: r"Moreau: $v_n^+ = -e\,v_n^-$ as the inclusion $-P \in N_{T_C}(v^+ + e\,v^-)$, which dissipates friction automatically
+            (along the tangent, maximal dissipation).",
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "It depends on what e multiplies. As printed, on the whole vector v⁺ + e v⁻, the law never gains energy: ΔT = \
-            PᵀŪ/(1+e) − ½(1−e)/(1+e) PᵀWP with PᵀŪ ≤ 0; but e then acts along the tangent, which the chapter advises against. On the \
-            normal component, as the pitfall on tangential restitution and the table of symbols have it, friction may feed energy in: it \
-            is Newton's law wherever the slip does not turn round.",
-        argument: "The rod, μ = 1: ΔT = 9/80, 17/320, 0, −39/320 for e = 1, 9/10, 4/5, 1/2 with e on the normal component; 0 and −3/20 \
-            for e = 1 and 1/2 with the whole vector, which gains in no planar impact of a grid. At e = 1 the normal impulse does no \
-            work, so the 9/80 J are the work of friction, P_t (U_t⁺ + U_t⁻)/2. Where the slip turns round it differs from Newton's law \
-            along Routh's path: μ = 1/2 sticks, P_n = 41/40, where Routh's path gives 368/385.",
+        correct_statement: r"It depends on what $e$ multiplies. As printed, on the whole vector $v^+ + e\,v^-$, the law never gains
+            energy: $\Delta T = P^T\bar U/(1 + e) - \tfrac12(1 - e)/(1 + e)\,P^TWP$ with $P^T\bar U \le 0$; but $e$ then acts along the
+            tangent, which the chapter advises against. On the normal component, as the pitfall on tangential restitution and the table of
+            symbols have it, friction may feed energy in: it is Newton's law wherever the slip does not turn round.",
+        argument: r"The rod, $\mu = 1$: $\Delta T = 9/80$, 17/320, 0, −39/320 for $e = 1$, 9/10, 4/5, 1/2 with $e$ on the normal
+            component; 0 and −3/20 for $e = 1$ and 1/2 with the whole vector, which gains in no planar impact of a grid. At $e = 1$ the
+            normal impulse does no work, so the 9/80 J are the work of friction, $P_t\,(U_t^+ + U_t^-)/2$. Where the slip turns round it
+            differs from Newton's law along Routh's path: $\mu = 1/2$ sticks, $P_n = 41/40$, where Routh's path gives 368/385.",
         controls: &["The whole vector in the place of the normal component.", "The normal component in the place of the whole vector."],
         sources: &["chapter §7, table of impact laws; the chapter's table of symbols for U, the pitfall on tangential restitution for e_t"],
         check: check!(automatic_dissipation),
     },
     Claim {
         id: "S7.moreau-no-split",
-        statement: "One formula covers collision and resting contact: for v⁻ ≈ 0 the argument v⁺ + e v⁻ demands v⁺ ≥ 0, for v⁻ < 0 it \
-            enforces v⁺ = −e v⁻; no case distinction.",
+        statement: r"One formula covers collision and resting contact: for $v^- \approx 0$ the argument $v^+ + e\,v^-$ demands
+            $v^+ \ge 0$, for $v^- < 0$ it enforces $v^+ = -e\,v^-$; no case distinction.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "Where an impulse acts, or v⁻ ≈ 0. A contact that needs no impulse leaves faster than −e v⁻, or, if it \
-            separated before, with v⁺ down to −e v⁻: into the ground.",
-        argument: "A ball of 1 kg, e = 1/2: v = 0, g h = 1/10: v⁺ = 0, P = 1/10. v = −1 without load: v⁺ = 1/2; pulled away by 2 m/s it \
-            leaves at 1 m/s. v = 1 at zero gap with g h = 13/10: v⁺ = −3/10, into the ground.",
+        correct_statement: r"Where an impulse acts, or $v^- \approx 0$. A contact that needs no impulse leaves faster than $-e\,v^-$, or,
+            if it separated before, with $v^+$ down to $-e\,v^-$: into the ground.",
+        argument: r"A ball of 1 kg, $e = 1/2$: $v = 0$, $g\,h = 1/10$: $v^+ = 0$, $P = 1/10$. $v = -1$ without load: $v^+ = 1/2$; pulled
+            away by 2 m/s it leaves at 1 m/s. $v = 1$ at zero gap with $g\,h = 13/10$: $v^+ = -3/10$, into the ground.",
         controls: &["The ball that arrives is not pulled away.", "Balls that are still a metre above the floor."],
         sources: &["chapter §7, the meaning of Moreau's choice"],
         check: check!(no_distinction),
     },
     Claim {
         id: "S7.atom",
-        statement: "In a collision P takes the value of an atom of the impulse measure; in resting contact it is the ordinary force times \
-            the step.",
+        statement: r"In a collision $P$ takes the value of an atom of the impulse measure; in resting contact it is the ordinary force
+            times the step.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: P/h → ∞ in one case and P/h = m g in the other.",
-        argument: "Ball of 1 kg, g = 10, e = 1/2. Resting: P/h = 10 N for h = 1/10, 1/100, 1/1000 s. Arriving at −1 m/s: P = 3/2 + 10 h, \
-            which tends to (1 + e) m|v⁻|.",
+        correct_statement: r"As stated: $P/h \to \infty$ in one case and $P/h = m\,g$ in the other.",
+        argument: r"Ball of 1 kg, $g = 10$, $e = 1/2$. Resting: $P/h = 10$ N for $h = 1/10$, 1/100, 1/1000 s. Arriving at −1 m/s:
+            $P = 3/2 + 10\,h$, which tends to $(1 + e)\,m|v^-|$.",
         controls: &["The two exchanged: the resting contact read as an atom, the impact as rest."],
         sources: &["chapter §7, the meaning of Moreau's choice"],
         check: check!(atom),
@@ -83,29 +83,29 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "Imposed as an equation, U_t⁺ = −e_t U_t⁻, it conflicts with the cone. Posed within the inclusion, with the \
-            cone, it does not. Either way it may gain energy for e_t < e_n, and in the inclusion most at e_t = 0, which is what the \
-            chapter recommends; e_t = e_n never gains (S7.moreau-dissipative).",
-        argument: "The rod, μ = 1, e_n = 1: ΔT = 9/80, 9/320, 0 for e_t = 0, 1/2, 1 in the inclusion, at e_t = 1/2 with P = (73/80, \
-            3/16), inside the cone. With e_n = 1, e_t = 1/2 the inclusion leaves the cone in no planar impact of a grid, the equation in \
-            some.",
-        controls: &["The equation U_t⁺ = −e_t U_t⁻ and the inclusion exchanged.", "e_t = e_n = 1 in the place of e_t = 1/2."],
+        correct_statement: r"Imposed as an equation, $U_t^+ = -e_t\,U_t^-$, it conflicts with the cone. Posed within the inclusion, with
+            the cone, it does not. Either way it may gain energy for $e_t < e_n$, and in the inclusion most at $e_t = 0$, which is what
+            the chapter recommends; $e_t = e_n$ never gains (S7.moreau-dissipative).",
+        argument: r"The rod, $\mu = 1$, $e_n = 1$: $\Delta T = 9/80$, 9/320, 0 for $e_t = 0$, 1/2, 1 in the inclusion, at $e_t = 1/2$ with
+            $P = (73/80, 3/16)$, inside the cone. With $e_n = 1$, $e_t = 1/2$ the inclusion leaves the cone in no planar impact of a grid,
+            the equation in some.",
+        controls: &[r"The equation $U_t^+ = -e_t\,U_t^-$ and the inclusion exchanged.", r"$e_t = e_n = 1$ in the place of $e_t = 1/2$."],
         sources: &["chapter §7, pitfall on tangential restitution"],
         check: check!(tangential_coefficient),
     },
     Claim {
         id: "S7.friction-bound",
-        statement: "In a collision the tangential impulse is bounded by the normal one, ‖β‖ ≤ μP_n, and its direction is set by the \
-            sliding.",
+        statement: r"In a collision the tangential impulse is bounded by the normal one, $\|\beta\| \le \mu P_n$, and its direction is set
+            by the sliding.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The bound holds. The direction is that against the sliding at every instant, not against the sliding before \
             the collision: once the end sticks, coupling sets it.",
-        argument: "The rod, μ = 1, e = 1: P_t = +3/8 while the end slid at +3/5. With W_nt = +3/2 and μ = 1/2 the slip never stops, and \
-            P_t = −4/7.",
-        controls: &["The two rods exchanged; the equation U_t⁺ = −½U_t⁻ in the place of Coulomb's law."],
+        argument: r"The rod, $\mu = 1$, $e = 1$: $P_t = +3/8$ while the end slid at +3/5. With $W_{nt} = +3/2$ and $\mu = 1/2$ the slip
+            never stops, and $P_t = -4/7$.",
+        controls: &[r"The two rods exchanged; the equation $U_t^+ = -\tfrac12U_t^-$ in the place of Coulomb's law."],
         sources: &["chapter §7, pitfall on tangential restitution"],
         check: check!(bound_and_direction),
     },

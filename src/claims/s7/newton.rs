@@ -9,17 +9,17 @@ use crate::problem::{PlanarProblem, Response};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.newton-single",
-        statement: "The naive law v_n⁺ = −e v_n⁻ is fine for one contact point; it goes wrong when several points collide at once or when \
-            there is friction.",
+        statement: r"The naive law $v_n^+ = -e\,v_n^-$ is fine for one contact point; it goes wrong when several points collide at once or
+            when there is friction.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated. For one contact without friction ΔT = −½(1 − e²)(U⁻)²/W. With friction one contact is \
-            enough to gain energy; with several, one law for all of them may need an impulse that pulls, and unequal coefficients \
-            may gain.",
-        argument: "W = 2, U⁻ = −1: ΔT = 0 at e = 1 and −3/16 at e = 1/2. One contact of a rod, μ = 1, e = 1: ΔT = +9/80. W = (2, \
-            1; 1, 2), U⁻ = (−1, −1/2), e = (1, 0): P₂ = −1/3 and ΔT = +1/12.",
+        correct_statement: r"As stated. For one contact without friction $\Delta T = -\tfrac12(1 - e^2)(U^-)^2/W$. With friction one
+            contact is enough to gain energy; with several, one law for all of them may need an impulse that pulls, and unequal
+            coefficients may gain.",
+        argument: r"$W = 2$, $U^- = -1$: $\Delta T = 0$ at $e = 1$ and −3/16 at $e = 1/2$. One contact of a rod, $\mu = 1$, $e = 1$:
+            $\Delta T = +9/80$. $W = (2, 1; 1, 2)$, $U^- = (-1, -1/2)$, $e = (1, 0)$: $P_2 = -1/3$ and $\Delta T = +1/12$.",
         controls: &["The rod with friction as the one contact.", "Poisson's law in Newton's place where it goes wrong."],
         sources: &["chapter §7, the energy trap of Newton's law"],
         check: check!(one_contact),
@@ -32,46 +32,47 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: each mends what another leaves. Newton's law gains energy with friction, Poisson's does \
-            not; Poisson's e = 1 still loses normal work, Stronge's does not; Newton's law for all contacts may pull, Moreau's \
-            never does. As a chronology Moreau stands before Stronge, whose energetic restitution was published in 1990.",
-        argument: "The rod with μ = 1 and e = 1: ΔT = 9/80 under Newton, −9/125 under Poisson; the normal impulse takes 27/1000 J under \
-            Poisson, 0 under Stronge. Four outcomes: P_n = 41/40 (Newton), P_t = 6/25 (Poisson), P_t = 0 (Moreau, full vector), and \
-            U_n⁺² = 62/125 (Stronge). W = (2, 1; 1, 2), U⁻ = (−1, −1/4), e = 1/2: P₂ = −1/4 under Newton, 0 under Moreau. Dates as \
-            cited, not checked.",
+        correct_statement: r"As stated: each mends what another leaves. Newton's law gains energy with friction, Poisson's does not;
+            Poisson's $e = 1$ still loses normal work, Stronge's does not; Newton's law for all contacts may pull, Moreau's never does. As
+            a chronology Moreau stands before Stronge, whose energetic restitution was published in 1990.",
+        argument: r"The rod with $\mu = 1$ and $e = 1$: $\Delta T = 9/80$ under Newton, −9/125 under Poisson; the normal impulse takes
+            27/1000 J under Poisson, 0 under Stronge. Four outcomes: $P_n = 41/40$ (Newton), $P_t = 6/25$ (Poisson), $P_t = 0$ (Moreau,
+            full vector), and $U_n^{+2} = 62/125$ (Stronge). $W = (2, 1; 1, 2)$, $U^- = (-1, -1/4)$, $e = 1/2$: $P_2 = -1/4$ under Newton,
+            0 under Moreau. Dates as cited, not checked.",
         controls: &[
             "The rod without friction, where the four agree.",
-            "Moreau's law with e on the normal component alone; contacts that arrive alike, U⁻ = (−1, −1).",
+            r"Moreau's law with $e$ on the normal component alone; contacts that arrive alike, $U^- = (-1, -1)$.",
         ],
         sources: &["chapter §7, history", "Stronge, Proc. R. Soc. A 431 (1990), and J. Appl. Mech. 58 (1991) 1049 (titles and dates only)"],
         check: check!(four_laws),
     },
     Claim {
         id: "S7.table-newton",
-        statement: "Newton: e = 1 conserves energy, e < 1 dissipates; with several bodies it may gain energy (Kane). Above the table it \
-            is said that with friction, too, it goes wrong.",
+        statement: r"Newton: $e = 1$ conserves energy, $e < 1$ dissipates; with several bodies it may gain energy (Kane). Above the table
+            it is said that with friction, too, it goes wrong.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated. Without friction and with one e for all contacts, solved together: ΔT = −½(1 − e²)U⁻ᵀW⁻¹U⁻, for any \
-            number of bodies. A gain needs friction, unequal coefficients, or impulses computed contact by contact.",
-        argument: "The identity holds exactly for every impact of a grid of two coupled contacts and e = 0, 1/2, 1. W = (2, 1; 1, 2), \
-            U⁻ = (−1, −1/2), e = (1, 0) gains 1/12. One contact with friction gains +17/320 at e = 9/10.",
+        correct_statement: r"As stated. Without friction and with one $e$ for all contacts, solved together:
+            $\Delta T = -\tfrac12(1 - e^2)U^{-T}W^{-1}U^-$, for any number of bodies. A gain needs friction, unequal coefficients, or
+            impulses computed contact by contact.",
+        argument: r"The identity holds exactly for every impact of a grid of two coupled contacts and $e = 0$, 1/2, 1. $W = (2, 1; 1, 2)$,
+            $U^- = (-1, -1/2)$, $e = (1, 0)$ gains 1/12. One contact with friction gains +17/320 at $e = 9/10$.",
         controls: &["Impulses computed contact by contact; the rod without friction."],
         sources: &["chapter §7, table of impact laws, and the energy trap of Newton's law for friction"],
         check: check!(table),
     },
     Claim {
         id: "S7.e0-max-dissipation",
-        statement: "e = 0 is completely plastic and dissipates the most.",
+        statement: r"$e = 0$ is completely plastic and dissipates the most.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "Without friction. With friction a rebound lengthens the rubbing, and e = 1 may take most.",
-        argument: "Without friction ΔT ∝ −(1 − e²). A particle of 1 kg with U⁻ = (−1, 10), μ = 1/2: ΔT = −43/8, −243/32, −19/2 for e = 0, \
-            1/2, 1.",
+        correct_statement: r"Without friction. With friction a rebound lengthens the rubbing, and $e = 1$ may take most.",
+        argument: r"Without friction $\Delta T \propto -(1 - e^2)$. A particle of 1 kg with $U^- = (-1, 10)$, $\mu = 1/2$:
+            $\Delta T = -43/8$, −243/32, −19/2 for $e = 0$, 1/2, 1.",
         controls: &["The particle without friction where there is some, and with friction where there is none."],
         sources: &["chapter §7, Newton's law"],
         check: check!(most_dissipative),
@@ -85,9 +86,9 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::NotDecidable,
         correct_statement: "Intuition cannot be checked, and accuracy would be a matter of measured collisions. What can be decided: for \
             one contact without friction all four laws are the same law, so none is more accurate.",
-        argument: "W = 2, U⁻ = −1, e = 1/2: P = 3/4 under Newton, Poisson and Moreau. The rod without friction, e = 1: one P under the \
-            three, and Stronge's U_n⁺² is that of Newton.",
-        controls: &["The rod with friction, where they differ; two contacts with e = (1/2, 0) in the place of the one."],
+        argument: r"$W = 2$, $U^- = -1$, $e = 1/2$: $P = 3/4$ under Newton, Poisson and Moreau. The rod without friction, $e = 1$: one $P$
+            under the three, and Stronge's $U_n^{+2}$ is that of Newton.",
+        controls: &[r"The rod with friction, where they differ; two contacts with $e = (1/2, 0)$ in the place of the one."],
         sources: &["chapter §7, Newton's law"],
         check: check!(same_law),
     },

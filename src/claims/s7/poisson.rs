@@ -9,18 +9,19 @@ use crate::problem::{PlanarProblem, Response};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.poisson-def",
-        statement: "Poisson: a compression phase from v⁻ to zero relative velocity with the impulse P_c, then a restitution phase with P_r \
-            = e P_c.",
+        statement: r"Poisson: a compression phase from $v^-$ to zero relative velocity with the impulse $P_c$, then a restitution phase
+            with $P_r = e\,P_c$.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Definition,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "Well defined for one contact: with a positive definite W compression always ends, even if the contact is \
-            driven down at first. With several contacts both phases are complementarity problems, and a contact may take more than e P_c.",
-        argument: "W = (2, 4; 4, 9), U⁻ = (−1, 1), μ = 1: U_n falls to −7/5 while the slip lasts, then compression ends at p_c = 13/2. \
-            Two contacts, W = (2, −1; −1, 2), U⁻ = (−1, −1/2), e = (1, 0): the second takes 5/12 in restitution instead of 0, else it \
-            would be driven into the ground.",
-        controls: &["e = 1 at both contacts, where P_r = e P_c.", "The contact that is driven down without its friction."],
+        correct_statement: r"Well defined for one contact: with a positive definite $W$ compression always ends, even if the contact is
+            driven down at first. With several contacts both phases are complementarity problems, and a contact may take more than
+            $e\,P_c$.",
+        argument: r"$W = (2, 4; 4, 9)$, $U^- = (-1, 1)$, $\mu = 1$: $U_n$ falls to −7/5 while the slip lasts, then compression ends at
+            $p_c = 13/2$. Two contacts, $W = (2, -1; -1, 2)$, $U^- = (-1, -1/2)$, $e = (1, 0)$: the second takes 5/12 in restitution
+            instead of 0, else it would be driven into the ground.",
+        controls: &[r"$e = 1$ at both contacts, where $P_r = e\,P_c$.", "The contact that is driven down without its friction."],
         sources: &["chapter §7, Poisson's law", "Pfeiffer and Glocker, Multibody Dynamics with Unilateral Contacts (1996)"],
         check: check!(definition),
     },
@@ -32,12 +33,12 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::WrongReason),
         evidence: Evidence::Exact,
-        correct_statement: "A contact impulse is not conserved: it is what the contact hands over, and total momentum is kept under \
-            every law. Prescribing impulse ratios does not by itself prevent a gain, neither Newton's outcome, which is also one of a \
-            prescribed ratio, nor Poisson's law at two rough contacts with unequal coefficients. For one contact the reason is that \
-            dT/dP_n is concave along the path and negative at the end of compression (S7.poisson-better).",
-        argument: "The rod with μ = 1: p_c = 2/5, and Newton's e = 1 is the impulse ratio 25/16, which gains 9/80 J; the ratio 1 loses \
-            9/125 J. Two rough contacts (S7.poisson-better) with the impulse ratios (1, 0): +9/25 J.",
+        correct_statement: r"A contact impulse is not conserved: it is what the contact hands over, and total momentum is kept under every
+            law. Prescribing impulse ratios does not by itself prevent a gain, neither Newton's outcome, which is also one of a prescribed
+            ratio, nor Poisson's law at two rough contacts with unequal coefficients. For one contact the reason is that $dT/dP_n$ is
+            concave along the path and negative at the end of compression (S7.poisson-better).",
+        argument: r"The rod with $\mu = 1$: $p_c = 2/5$, and Newton's $e = 1$ is the impulse ratio 25/16, which gains 9/80 J; the ratio 1
+            loses 9/125 J. Two rough contacts (S7.poisson-better) with the impulse ratios $(1, 0)$: +9/25 J.",
         controls: &["The impulse ratio 1 in the place of 25/16 and of 0.", "Newton's ratio 25/16 in the place of 1."],
         sources: &["chapter §7, Poisson's law and its comparison with Newton's"],
         check: check!(conserved),
@@ -49,17 +50,17 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "One contact with friction never gains for e ≤ 1, nor do any number of frictionless contacts with any \
-            coefficients. Two contacts with friction and unequal coefficients may gain where Newton's law loses; for equal ones this is \
+        correct_statement: r"One contact with friction never gains for $e \le 1$, nor do any number of frictionless contacts with any
+            coefficients. Two contacts with friction and unequal coefficients may gain where Newton's law loses; for equal ones this is
             not decided here.",
-        argument: "One contact: g = dT/dp = U_n − μ|U_t| is concave along Routh's path and at most 0 at p_c, so its mean over (0, \
-            (1+e)p_c) is at most g((1+e)p_c/2) ≤ 0. Frictionless: the end minimises the kinetic energy over P_r ≥ E P_c, and P_r = P_c, \
-            which undoes compression, is allowed. Of a grid of planar impacts with e = 1 Poisson gains in none, Newton in some; the rod: \
-            −9/125 against +9/80. Of frictionless ones with four pairs of coefficients none gains. Two rough contacts, W = (3, 1, 0, −3; \
-            1, 2, −1, 0; 0, −1, 3, −1; −3, 0, −1, 4), U⁻ = (−1, 0, −1, 1), μ = 1, e = (1, 0): Poisson's law gains 9/25 J; Newton's, U_n⁺ \
-            ≥ −e U_n⁻ at each contact, loses 21/100 J.",
+        argument: r"One contact: $g = dT/dp = U_n - \mu|U_t|$ is concave along Routh's path and at most 0 at $p_c$, so its mean over
+            $(0, (1 + e)p_c)$ is at most $g((1 + e)p_c/2) \le 0$. Frictionless: the end minimises the kinetic energy over
+            $P_r \ge E\,P_c$, and $P_r = P_c$, which undoes compression, is allowed. Of a grid of planar impacts with $e = 1$ Poisson
+            gains in none, Newton in some; the rod: −9/125 against +9/80. Of frictionless ones with four pairs of coefficients none gains.
+            Two rough contacts, $W = (3, 1, 0, -3; 1, 2, -1, 0; 0, -1, 3, -1; -3, 0, -1, 4)$, $U^- = (-1, 0, -1, 1)$, $\mu = 1$,
+            $e = (1, 0)$: Poisson's law gains 9/25 J; Newton's, $U_n^+ \ge -e\,U_n^-$ at each contact, loses 21/100 J.",
         controls: &[
-            "Equal coefficients, e = 1, at the two rough contacts.",
+            r"Equal coefficients, $e = 1$, at the two rough contacts.",
             "Newton's and Poisson's laws exchanged.",
             "The work of the normal impulse alone, without that of friction.",
         ],
@@ -68,35 +69,35 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S7.newton-eq-poisson-single",
-        statement: "For one contact without friction Newton's and Poisson's laws agree: P_c = m_eff|v⁻| and v⁺ = e|v⁻|.",
+        statement: r"For one contact without friction Newton's and Poisson's laws agree: $P_c = m_\text{eff}|v^-|$ and $v^+ = e|v^-|$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, m_eff = 1/W.",
-        argument: "P_c = −U⁻/W, P_c + P_r = −(1 + e)U⁻/W, U⁺ = −eU⁻. W = 2, 1/3, 7 and e = 0, 2/5, 1 along Routh's path without \
-            friction, in rationals.",
+        correct_statement: r"As stated, $m_\text{eff} = 1/W$.",
+        argument: r"$P_c = -U^-/W$, $P_c + P_r = -(1 + e)U^-/W$, $U^+ = -eU^-$. $W = 2$, 1/3, 7 and $e = 0$, 2/5, 1 along Routh's path
+            without friction, in rationals.",
         controls: &["One contact with friction."],
         sources: &["chapter §7, comparison of Poisson and Newton"],
         check: check!(one_frictionless_contact),
     },
     Claim {
         id: "S7.newton-neq-poisson-multi",
-        statement: "With several bodies or friction the off-diagonal entries of W couple the contacts, and prescribing impulse ratios \
+        statement: r"With several bodies or friction the off-diagonal entries of $W$ couple the contacts, and prescribing impulse ratios
             gives another result than prescribing velocity ratios.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "With friction, unequal coefficients or a separating contact. Without friction, for one e and U⁻ ≤ 0, Poisson's \
-            law is Moreau's, P = (1 + e)P_c, however large the off-diagonal entries; Newton's law for all contacts together differs from \
-            both only where its impulses would pull.",
-        argument: "With P = (1 + e)P_c: U⁺ + eU⁻ = (1 + e)U_c, complementary to P_c, and U⁺ = (1 + e)U_c − eU⁻ ≥ 0. No difference in any \
-            impact of a grid with e = 0, 1/2, 1. With e = (1, 0) some differ. Rod with friction, e = 1: U_n⁺ = 16/25 under Poisson, 1 \
-            under Newton.",
+        correct_statement: r"With friction, unequal coefficients or a separating contact. Without friction, for one $e$ and $U^- \le 0$,
+            Poisson's law is Moreau's, $P = (1 + e)P_c$, however large the off-diagonal entries; Newton's law for all contacts together
+            differs from both only where its impulses would pull.",
+        argument: r"With $P = (1 + e)P_c$: $U^+ + eU^- = (1 + e)U_c$, complementary to $P_c$, and $U^+ = (1 + e)U_c - eU^- \ge 0$. No
+            difference in any impact of a grid with $e = 0$, 1/2, 1. With $e = (1, 0)$ some differ. Rod with friction, $e = 1$:
+            $U_n^+ = 16/25$ under Poisson, 1 under Newton.",
         controls: &[
             "Unequal coefficients among the equal ones.",
-            "One e, no friction and contacts that arrive alike where the laws differ.",
+            r"One $e$, no friction and contacts that arrive alike where the laws differ.",
         ],
         sources: &["chapter §7, comparison of Poisson and Newton"],
         check: check!(when_different),
@@ -108,12 +109,13 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "Zero at the contacts that carry a compression impulse; the others may already separate: 0 ≤ U_c ⟂ P_c ≥ 0.",
-        argument: "Three balls: U_c = (0, 0). W = (2, 1; 1, 2), U⁻ = (−1, −1/4): P_c = (1/2, 0) and U_c = (0, 1/4), although both contacts \
-            approach.",
+        correct_statement: r"Zero at the contacts that carry a compression impulse; the others may already separate:
+            $0 \le U_c \perp P_c \ge 0$.",
+        argument: r"Three balls: $U_c = (0, 0)$. $W = (2, 1; 1, 2)$, $U^- = (-1, -1/4)$: $P_c = (1/2, 0)$ and $U_c = (0, 1/4)$, although
+            both contacts approach.",
         controls: &[
-            "The pair with U⁻ = (−1, −1), where both contacts take an impulse.",
-            "The end of restitution, e = 1/2, in the place of that of compression.",
+            r"The pair with $U^- = (-1, -1)$, where both contacts take an impulse.",
+            r"The end of restitution, $e = 1/2$, in the place of that of compression.",
         ],
         sources: &["chapter §7, comparison of Poisson and Newton"],
         check: check!(end_of_compression),

@@ -17,20 +17,20 @@ use crate::tolerance::rounding;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.multi-nonunique",
-        statement: "Three balls colliding at once, or a block landing on four corners: there is no unique Newton solution; the jump of \
-            the velocities is not determined by an independent e at each point but depends on the microscopic order of the contacts, \
+        statement: r"Three balls colliding at once, or a block landing on four corners: there is no unique Newton solution; the jump of
+            the velocities is not determined by an independent $e$ at each point but depends on the microscopic order of the contacts,
             which is singular for ideal rigid bodies.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "Posed at once without friction, the velocities are unique: v⁺ solves a strictly convex program; for three \
-            balls even the impulses are, for four corners not. What is not unique is whether it happens at once: another order is another \
+        correct_statement: r"Posed at once without friction, the velocities are unique: $v^+$ solves a strictly convex program; for three
+            balls even the impulses are, for four corners not. What is not unique is whether it happens at once: another order is another
             problem, and its outcome differs, as the chapter says of the order.",
-        argument: "Three balls, e = 1: one solution, v⁺ = (−1/3, 2/3, 2/3). One impact after the other: (0, 0, 1). Both keep momentum \
-            and energy. e = 1/2: v₃ − v₂ = 0 at once, 21/64 one after the other. Four corners: a family of impulses, all with U⁺ = −eU⁻. \
-            The outer balls meet the middle one, e = 1/2: one outcome at once, two one after the other; a cube on its corners the same, \
-            one and several.",
+        argument: r"Three balls, $e = 1$: one solution, $v^+ = (-1/3, 2/3, 2/3)$. One impact after the other: $(0, 0, 1)$. Both keep
+            momentum and energy. $e = 1/2$: $v_3 - v_2 = 0$ at once, 21/64 one after the other. Four corners: a family of impulses, all
+            with $U^+ = -eU^-$. The outer balls meet the middle one, $e = 1/2$: one outcome at once, two one after the other; a cube on
+            its corners the same, one and several.",
         controls: &[
             "The impacts one after the other, in every order.",
             "At once in the place of one after the other; three corners in the place of four.",
@@ -46,12 +46,12 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "The impulses are not unique: W has rank 3 with null vector (1, −1, 1, −1), so that any multiple of it may be \
-            added while P stays ≥ 0. The velocities are (S7.multi-nonunique).",
-        argument: "Cube of 1 kg and 1 m: W_ij = 4, 1 and −2 for a corner with itself, its neighbours and the opposite one. U⁻ = −1 \
-            everywhere, e = 1/2: every solution has one U⁺. e = 0: P = (1, 1, 1, 1)/4 + t(1, −1, 1, −1) as long as P ≥ 0, all with U⁺ = \
-            0.",
-        controls: &["The corners hit one after the other, in every order.", "Three corners, whose W is nonsingular."],
+        correct_statement: r"The impulses are not unique: $W$ has rank 3 with null vector $(1, -1, 1, -1)$, so that any multiple of it may
+            be added while $P$ stays $\ge 0$. The velocities are (S7.multi-nonunique).",
+        argument: r"Cube of 1 kg and 1 m: $W_{ij} = 4$, 1 and −2 for a corner with itself, its neighbours and the opposite one. $U^- = -1$
+            everywhere, $e = 1/2$: every solution has one $U^+$. $e = 0$: $P = (1, 1, 1, 1)/4 + t(1, -1, 1, -1)$ as long as $P \ge 0$, all
+            with $U^+ = 0$.",
+        controls: &["The corners hit one after the other, in every order.", r"Three corners, whose $W$ is nonsingular."],
         sources: &["chapter §7, simultaneous impacts"],
         check: check!(four_corners),
     },
@@ -63,12 +63,12 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "It depends on what a solution is. Of the impulses it holds where W is singular. The velocities do not depend \
-            on it as long as there is no friction; with friction they may (S4.painleve-atom: three solutions).",
-        argument: "Four corners, e = 1/2, Lemke's method with the contacts in every order: several different P, one U⁺. Three balls: one \
-            P.",
+        correct_statement: r"It depends on what a solution is. Of the impulses it holds where $W$ is singular. The velocities do not
+            depend on it as long as there is no friction; with friction they may (S4.painleve-atom: three solutions).",
+        argument: r"Four corners, $e = 1/2$, Lemke's method with the contacts in every order: several different $P$, one $U^+$. Three
+            balls: one $P$.",
         controls: &[
-            "Three corners, whose W is nonsingular, and four in the place of three balls.",
+            r"Three corners, whose $W$ is nonsingular, and four in the place of three balls.",
             "Impacts one after the other in these orders.",
         ],
         sources: &["chapter §7, simultaneous impacts"],
@@ -82,13 +82,14 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Citation,
         severity: None,
         evidence: Evidence::Cited,
-        correct_statement: "The paper was not read; it may be Acary and Collins-Craft's on the Moreau–Jean scheme with Frémond's law \
-            (HAL hal-04230941, known here from another project's reference list). Siconos has a law of that name: Newton's e on the normal \
-            components and Coulomb friction on θU_t⁺ + (1−θ)U_t⁻. At θ = 1/2 it cannot gain energy from approaching contacts, at any \
-            number of them. It does not settle the order: without friction it is Moreau's law.",
-        argument: "ΔT = −½Σ(1−e)P_n|U_n⁻| − Σ μP_n½|U_t⁺ + U_t⁻|. The rod, μ = 1, e = 1: 0 where e on the normal component gains 9/80. \
-            Two contacts with μ = 1/8, e = 1: −3/8 J, as the formula says. Three balls: (−1/3, 2/3, 2/3).",
-        controls: &["Coulomb friction on U_t⁺ alone.", "The balls one after the other; Siconos 4.4.0 in the place of 4.5.0."],
+        correct_statement: r"The paper was not read; it may be Acary and Collins-Craft's on the Moreau–Jean scheme with Frémond's law (HAL
+            hal-04230941, known here from another project's reference list). Siconos has a law of that name: Newton's $e$ on the normal
+            components and Coulomb friction on $\theta U_t^+ + (1 - \theta)U_t^-$. At $\theta = 1/2$ it cannot gain energy from
+            approaching contacts, at any number of them. It does not settle the order: without friction it is Moreau's law.",
+        argument: r"$\Delta T = -\tfrac12\sum(1 - e)P_n|U_n^-| - \sum\,\mu P_n\tfrac12|U_t^+ + U_t^-|$. The rod, $\mu = 1$, $e = 1$: 0
+            where $e$ on the normal component gains 9/80. Two contacts with $\mu = 1/8$, $e = 1$: −3/8 J, as the formula says. Three
+            balls: $(-1/3, 2/3, 2/3)$.",
+        controls: &[r"Coulomb friction on $U_t^+$ alone.", "The balls one after the other; Siconos 4.4.0 in the place of 4.5.0."],
         sources: &[
             "chapter §7, simultaneous impacts",
             "Siconos, kernel/src/modelingTools/FremondImpactFrictionNSL.hpp and MoreauJeanOSI.cpp, source of 2024 or later",
@@ -103,27 +104,29 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Citation,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "Such a projection exists and is explicit: on the cone U ≥ 0, then scaled, in the metric W⁻¹, which keeps \
-            momentum. But it may leave an impulse that pulls. Under this name no source was found; Pfeiffer and Glocker's two \
+        correct_statement: r"Such a projection exists and is explicit: on the cone $U \ge 0$, then scaled, in the metric $W^{-1}$, which
+            keeps momentum. But it may leave an impulse that pulls. Under this name no source was found; Pfeiffer and Glocker's two
             complementarity problems gain no energy by themselves.",
-        argument: "W = (2, 1; 1, 2), e = (1, 0), U⁻ = (−1, −1/2), all reversed: a gain of 1/12 J; projected U⁺ = √(3/4) (1, 0), and P₂ = \
-            −√(3/4)/3 < 0. W = (2, −1; −1, 2), U⁻ = (−1, 1/2): the same factor, and P > 0.",
+        argument: r"$W = (2, 1; 1, 2)$, $e = (1, 0)$, $U^- = (-1, -1/2)$, all reversed: a gain of 1/12 J; projected
+            $U^+ = \sqrt{3/4}\,(1, 0)$, and $P_2 = -\sqrt{3/4}/3 < 0$. $W = (2, -1; -1, 2)$, $U^- = (-1, 1/2)$: the same factor, and
+            $P > 0$.",
         controls: &["The second pair in the place of the first.", "No projection."],
         sources: &["chapter §7, simultaneous impacts", "Pfeiffer and Glocker 1996 for the two problems"],
         check: check!(projection),
     },
     Claim {
         id: "S7.rocking",
-        statement: "Velocity jumps with several contacts are not determined by a pointwise e alone (the block that lands on its base).",
+        statement: r"Velocity jumps with several contacts are not determined by a pointwise $e$ alone (the block that lands on its
+            base).",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: with e = 0 at both edges the outcome depends on friction. If the edge that is hit holds, ω⁺/ω⁻ = 1 \
-            − 3/2 sin²α (Housner); on a smooth floor (c² − 2b²)/(c² + 4b²).",
-        argument: "Half width 1, half height 2: 7/10 for μ ≥ 6/17, 1/4 for μ = 0, both from one Moreau step with two contacts; at μ = \
-            1/3 the edge slips and the ratio is another.",
-        controls: &["A smooth floor throughout, on which e alone determines the outcome.", "A floor with μ = 1 throughout."],
+        correct_statement: r"As stated: with $e = 0$ at both edges the outcome depends on friction. If the edge that is hit holds,
+            $\omega^+/\omega^- = 1 - 3/2 \sin^2\alpha$ (Housner); on a smooth floor $(c^2 - 2b^2)/(c^2 + 4b^2)$.",
+        argument: r"Half width 1, half height 2: 7/10 for $\mu \ge 6/17$, 1/4 for $\mu = 0$, both from one Moreau step with two contacts;
+            at $\mu = 1/3$ the edge slips and the ratio is another.",
+        controls: &[r"A smooth floor throughout, on which $e$ alone determines the outcome.", r"A floor with $\mu = 1$ throughout."],
         sources: &["chapter §7, simultaneous impacts", "Housner 1963 for the ratio, derived again here"],
         check: check!(rocking),
     },

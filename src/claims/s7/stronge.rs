@@ -11,17 +11,17 @@ use crate::tolerance::rounding;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.stronge-def",
-        statement: "Stronge: the energetic coefficient e_*² = E⁺/E⁻, the energy released in restitution over the energy stored in \
+        statement: r"Stronge: the energetic coefficient $e_*^2 = E^+/E^-$, the energy released in restitution over the energy stored in
             compression.",
         verdict: ClaimVerdict::True,
         kind: Kind::Definition,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, E being the work of the normal impulse in each phase, as the sentence says. The kinetic energies \
+        correct_statement: r"As stated, $E$ being the work of the normal impulse in each phase, as the sentence says. The kinetic energies
             before and after, which §12 calls so, have another ratio: friction lowers them as well.",
-        argument: "The rod, μ = 1, e_* = 1: the normal impulse takes 31/200 J and returns 31/200 J, ratio 1; the kinetic energy goes from \
-            1/5 to 31/200 J, ratio 31/40.",
-        controls: &["Newton's law with e = 1 in place of Stronge's."],
+        argument: r"The rod, $\mu = 1$, $e_* = 1$: the normal impulse takes 31/200 J and returns 31/200 J, ratio 1; the kinetic energy
+            goes from 1/5 to 31/200 J, ratio 31/40.",
+        controls: &[r"Newton's law with $e = 1$ in place of Stronge's."],
         sources: &["chapter §7, Stronge's law", "Stronge, Proc. R. Soc. A 431 (1990)"],
         check: check!(two_ratios),
     },
@@ -32,9 +32,10 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated, for one contact: ΔT = −(1 − e_*²)|W_c| + W_friction with W_friction ≤ 0.",
-        argument: "The normal work of both phases is −(1 − e_*²)|W_c|, and ∫U_t dq ≤ 0 along Routh's path, exactly, in every planar \
-            impact of a grid; with e_* = 1 in floating point ΔT < 0 in all of them. The rod, μ = 1: −9/200 J.",
+        correct_statement: r"As stated, for one contact: $\Delta T = -(1 - e_*^2)|W_c| + W_\text{friction}$ with
+            $W_\text{friction} \le 0$.",
+        argument: r"The normal work of both phases is $-(1 - e_*^2)|W_c|$, and $\int U_t\,dq \le 0$ along Routh's path, exactly, in every
+            planar impact of a grid; with $e_* = 1$ in floating point $\Delta T < 0$ in all of them. The rod, $\mu = 1$: −9/200 J.",
         controls: &["Newton's law in Stronge's place."],
         sources: &["chapter §7, table of impact laws", "Stronge, J. Appl. Mech. 58 (1991) 1049"],
         check: check!(no_gain),
@@ -46,10 +47,10 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Certified,
-        correct_statement: "Without friction they are not needed: Newton's and Moreau's laws conserve at e = 1. With friction they do not \
-            conserve: e_* = 1 still loses the work of friction, and a projection only takes energy away.",
-        argument: "Three balls, e = 1: ΔT = 0 under Newton, Poisson and Moreau. The rod, e_* = 1: −9/200 J with μ = 1 (sticks), −0.055264 \
-            J with μ = 1/2 (turns round). Projecting the plastic outcome of the balls leaves its loss of 1/3 J.",
+        correct_statement: r"Without friction they are not needed: Newton's and Moreau's laws conserve at $e = 1$. With friction they do
+            not conserve: $e_* = 1$ still loses the work of friction, and a projection only takes energy away.",
+        argument: r"Three balls, $e = 1$: $\Delta T = 0$ under Newton, Poisson and Moreau. The rod, $e_* = 1$: −9/200 J with $\mu = 1$
+            (sticks), −0.055264 J with $\mu = 1/2$ (turns round). Projecting the plastic outcome of the balls leaves its loss of 1/3 J.",
         controls: &[
             "The other laws on the rod with friction, Stronge's on the rod without, the projection of an outcome that gains energy.",
         ],
@@ -58,51 +59,52 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S7.definitions-differ",
-        statement: "Newton's, Poisson's and Stronge's e are different numbers for the same collision (velocity, impulse, energy).",
+        statement: r"Newton's, Poisson's and Stronge's $e$ are different numbers for the same collision (velocity, impulse, energy).",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated, with friction that stops or turns round. Without friction, or while the slip goes on, the three \
             agree.",
-        argument: "The rod, μ = 1, U_n⁻ = −1: the collision with e_P = 1 has e_N = 16/25 and e_*² = 128/155, that with e_P = 1/2 half \
-            and a quarter of them. The sentence is read as one about the definitions; it does not say that no collision makes them equal.",
+        argument: r"The rod, $\mu = 1$, $U_n^- = -1$: the collision with $e_P = 1$ has $e_N = 16/25$ and $e_*^2 = 128/155$, that with
+            $e_P = 1/2$ half and a quarter of them. The sentence is read as one about the definitions; it does not say that no collision
+            makes them equal.",
         controls: &["The rod without friction."],
         sources: &["chapter §7, pitfall on e as a material constant"],
         check: check!(three_numbers),
     },
     Claim {
         id: "S7.e-not-material",
-        statement: "e is not a material constant: it depends on speed, geometry and temperature, and is usually smaller at high speed; \
+        statement: r"$e$ is not a material constant: it depends on speed, geometry and temperature, and is usually smaller at high speed;
             used as a constant across speeds it makes a simulation inaccurate.",
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::NotDecidable,
-        correct_statement: "Speed and temperature are physics that no scheme decides. What can be decided: the velocity ratio depends on \
-            geometry and friction even if the energetic coefficient is fixed, and none of these laws with a constant e can express a \
+        correct_statement: r"Speed and temperature are physics that no scheme decides. What can be decided: the velocity ratio depends on
+            geometry and friction even if the energetic coefficient is fixed, and none of these laws with a constant $e$ can express a
             dependence on speed, because all are homogeneous of degree one.",
-        argument: "e_* = 1: U_n⁺²/U_n⁻² is 1 without friction, 62/125 for the rod with μ = 1. With e = 1/2 three times the velocity \
-            gives three times the impulse under Newton and Poisson.",
-        controls: &["The rod with friction and the one without exchanged; an e that falls with the speed, 1/(1 + |U_n⁻|)."],
+        argument: r"$e_* = 1$: $U_n^{+2}/U_n^{-2}$ is 1 without friction, 62/125 for the rod with $\mu = 1$. With $e = 1/2$ three times
+            the velocity gives three times the impulse under Newton and Poisson.",
+        controls: &[r"The rod with friction and the one without exchanged; an $e$ that falls with the speed, $1/(1 + |U_n^-|)$."],
         sources: &["chapter §7, pitfall on e as a material constant"],
         check: check!(not_material),
     },
     Claim {
         id: "S7.e1-single-conserves",
-        statement: "e = 1 does conserve energy in a single-point collision, but with several bodies colliding at once under Newton's law \
-            the total energy may change even with e = 1 at every point (Kane), because pointwise velocity ratios are not conservation of \
-            energy; e = 1 conserves for a single point only.",
+        statement: r"$e = 1$ does conserve energy in a single-point collision, but with several bodies colliding at once under Newton's
+            law the total energy may change even with $e = 1$ at every point (Kane), because pointwise velocity ratios are not
+            conservation of energy; $e = 1$ conserves for a single point only.",
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "It depends on what “pointwise” means, as in exercise 2. With impulses computed as if each point were alone, \
-            as said. If every velocity is reversed, U⁺ = −U⁻, e = 1 conserves energy for any number of contacts: ΔT = ½Pᵀ(U⁺ + U⁻) = 0. \
-            Friction, of which the section warns, changes it even at one point.",
-        argument: "One contact without friction: ΔT = 0. U⁺ + U⁻ = 0 at every contact: ΔT = 0 exactly in every impact of a grid of two \
-            coupled contacts, under Moreau's law as well, and under Poisson's where all approach. Impulses computed contact by contact \
-            change the energy in some. One contact with friction: +9/80 (Newton), −9/125 (Poisson).",
+        correct_statement: r"It depends on what “pointwise” means, as in exercise 2. With impulses computed as if each point were alone,
+            as said. If every velocity is reversed, $U^+ = -U^-$, $e = 1$ conserves energy for any number of contacts:
+            $\Delta T = \tfrac12P^T(U^+ + U^-) = 0$. Friction, of which the section warns, changes it even at one point.",
+        argument: r"One contact without friction: $\Delta T = 0$. $U^+ + U^- = 0$ at every contact: $\Delta T = 0$ exactly in every impact
+            of a grid of two coupled contacts, under Moreau's law as well, and under Poisson's where all approach. Impulses computed
+            contact by contact change the energy in some. One contact with friction: +9/80 (Newton), −9/125 (Poisson).",
         controls: &[
             "The single contact with friction; impulses computed contact by contact for those that are reversed.",
             "All velocities reversed together in the place of impulses computed contact by contact.",

@@ -12,33 +12,37 @@ use crate::tolerance::{claims::integrators as tolerance, rounding};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S8.spring-damper-model",
-        statement: "A contact as in MuJoCo is modelled as a spring and a damper, m φ̈ = −k φ − c φ̇, with ω₀ = √(k/m).",
+        statement: r"A contact as in MuJoCo is modelled as a spring and a damper, $m\,\ddot\varphi = -k\,\varphi - c\,\dot\varphi$, with
+            $\omega_0 = \sqrt{k/m}$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated; MuJoCo's contact of constant impedance at depth δ > 0 is that oscillator under semi-implicit Euler, \
-            with ω₀ = 1/(t_c ζ) and c/m = 2/t_c. So t_c = 1/ω₀, as the chapter has it, at ζ = 1 only.",
-        argument: "The replay of MuJoCo's contact that reproduces its stored runs, h = 1 ms, t_c = 2 and 5 ms, ζ = 1: its step matrix for \
-            (δ, −v), from two depths and two velocities, is that of semi-implicit Euler on the spring and damper, entry by entry to \
-            rounding.",
+        correct_statement: r"As stated; MuJoCo's contact of constant impedance at depth $\delta > 0$ is that oscillator under
+            semi-implicit Euler, with $\omega_0 = 1/(t_c\,\zeta)$ and $c/m = 2/t_c$. So $t_c = 1/\omega_0$, as the chapter has it, at
+            $\zeta = 1$ only.",
+        argument: r"The replay of MuJoCo's contact that reproduces its stored runs, $h = 1$ ms, $t_c = 2$ and 5 ms, $\zeta = 1$: its step
+            matrix for $(\delta, -v)$, from two depths and two velocities, is that of semi-implicit Euler on the spring and damper, entry
+            by entry to rounding.",
         controls: &["A contact of twice the time constant, against the same spring and damper."],
         sources: &["chapter §8, example on stability bounds", "MuJoCo documentation, solver parameters (3.17)"],
         check: check!(soft_contact),
     },
     Claim {
         id: "S8.damped-bound",
-        statement: "The stability bound h ≤ 2/ω₀, derived before without damping, is the link between §6 (the time constant of MuJoCo's \
-            contact), §8 (the integrator) and §9 (jitter from a step beyond the bound).",
+        statement: r"The stability bound $h \le 2/\omega_0$, derived before without damping, is the link between §6 (the time constant of
+            MuJoCo's contact), §8 (the integrator) and §9 (jitter from a step beyond the bound).",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "For contacts without damping. §6's are damped: with damping at the old velocity the bound is s = hω₀ < \
-            2(√(1+ζ²) − ζ), 0.82843 at MuJoCo's default ζ = 1. With damping at the new velocity it is 2(√(1+ζ²) + ζ), above 2.",
-        argument: "Trace 2 − 2ζs − s², determinant 1 − 2ζs; Jury's condition 1 + T + D = 4 − 4ζs − s² > 0. Decided in rationals: the \
-            stable steps end at s = 1 for ζ = 3/4, at 4/3 for ζ = 5/12. Bisected for ζ = 0.05, 0.1, 0.5, 1, 2: 1.90250, 1.80998, 1.23607, \
-            0.82843, 0.47214. The smaller s at which a soft contact starts to jitter is this one (S9.jitter).",
+        correct_statement: r"For contacts without damping. §6's are damped: with damping at the old velocity the bound is
+            $s = h\omega_0 < 2(\sqrt{1 + \zeta^2} - \zeta)$, 0.82843 at MuJoCo's default $\zeta = 1$. With damping at the new velocity it
+            is $2(\sqrt{1 + \zeta^2} + \zeta)$, above 2.",
+        argument: r"Trace $2 - 2\zeta s - s^2$, determinant $1 - 2\zeta s$; Jury's condition $1 + T + D = 4 - 4\zeta s - s^2 > 0$. Decided
+            in rationals: the stable steps end at $s = 1$ for $\zeta = 3/4$, at 4/3 for $\zeta = 5/12$. Bisected for $\zeta = 0.05$, 0.1,
+            0.5, 1, 2: 1.90250, 1.80998, 1.23607, 0.82843, 0.47214. The smaller $s$ at which a soft contact starts to jitter is this one
+            (S9.jitter).",
         controls: &[
             "No damping anywhere, for which the printed bound is right.",
             "Explicit Euler in place of semi-implicit Euler, on the undamped spring as well.",
@@ -53,12 +57,12 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "Up to ζ = 1/√3: beyond it explicit Euler, with bound 2ζ (ζ ≤ 1), bears the larger step. At ζ = 1 the bounds \
-            are 2 for explicit and 0.828 for semi-implicit Euler with explicit damping.",
-        argument: "2ζ = 2(√(1+ζ²) − ζ) at ζ = 1/√3. ζ = 1, s = 1: explicit Euler has both eigenvalues 0, semi-implicit Euler has trace −1 \
-            and determinant −1. ζ = 1/2, s = 11/10: the other way round.",
+        correct_statement: r"Up to $\zeta = 1/\sqrt3$: beyond it explicit Euler, with bound $2\zeta$ ($\zeta \le 1$), bears the larger
+            step. At $\zeta = 1$ the bounds are 2 for explicit and 0.828 for semi-implicit Euler with explicit damping.",
+        argument: r"$2\zeta = 2(\sqrt{1 + \zeta^2} - \zeta)$ at $\zeta = 1/\sqrt3$. $\zeta = 1$, $s = 1$: explicit Euler has both
+            eigenvalues 0, semi-implicit Euler has trace −1 and determinant −1. $\zeta = 1/2$, $s = 11/10$: the other way round.",
         controls: &[
-            "The spring with ζ = 1/2 and s = 11/10 in place of ζ = 1 and s = 1.",
+            r"The spring with $\zeta = 1/2$ and $s = 11/10$ in place of $\zeta = 1$ and $s = 1$.",
             "The position updated with the old velocity: explicit Euler in place of semi-implicit Euler.",
         ],
         sources: &["chapter §8, three levels"],
@@ -66,18 +70,19 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S8.timeconst-origin",
-        statement: "The bound is where MuJoCo's rule timeconst ≥ 2h comes from: with timeconst = 1/ω₀, h ≤ 2 timeconst means timeconst ≥ \
-            h/2, and MuJoCo takes 2h to leave a margin.",
+        statement: r"The bound is where MuJoCo's rule timeconst $\ge 2h$ comes from: with timeconst $= 1/\omega_0$, $h \le 2$ timeconst
+            means timeconst $\ge h/2$, and MuJoCo takes $2h$ to leave a margin.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongReason),
         evidence: Evidence::Certified,
-        correct_statement: "The default contact is critically damped, so its limit is t_c > (1 + √2)h/2 = 1.2071 h, not h/2. t_c ≥ 2h does \
-            leave a margin to that, of 1.66; what it marks is h·2/t_c = 1, the largest step whose matrix has no negative eigenvalue.",
-        argument: "ζ = 1, s = h/t_c. At t_c = h/2 (s = 2): z² + 6z − 3 = 0, spectral radius 3 + 2√3 = 6.46. At t_c = 2h (s = 1/2): \
-            determinant exactly 0, eigenvalues 0 and 3/4; for larger s it is negative. The stable time constants, bisected in rationals, \
-            start at 1.2071 h. Why MuJoCo chose 2h is not decided here.",
-        controls: &["The contact without damping, where t_c = h/2 is the bound."],
+        correct_statement: r"The default contact is critically damped, so its limit is $t_c > (1 + \sqrt2)h/2 = 1.2071\,h$, not $h/2$.
+            $t_c \ge 2h$ does leave a margin to that, of 1.66; what it marks is $h\cdot2/t_c = 1$, the largest step whose matrix has no
+            negative eigenvalue.",
+        argument: r"$\zeta = 1$, $s = h/t_c$. At $t_c = h/2$ ($s = 2$): $z^2 + 6z - 3 = 0$, spectral radius $3 + 2\sqrt3 = 6.46$. At
+            $t_c = 2h$ ($s = 1/2$): determinant exactly 0, eigenvalues 0 and 3/4; for larger $s$ it is negative. The stable time
+            constants, bisected in rationals, start at $1.2071\,h$. Why MuJoCo chose $2h$ is not decided here.",
+        controls: &[r"The contact without damping, where $t_c = h/2$ is the bound."],
         sources: &["chapter §8, example on stability bounds", "MuJoCo documentation, solver parameters: refsafe (3.17)"],
         check: check!(time_constant),
     },

@@ -25,8 +25,8 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::NotDecidable,
         correct_statement: "A survey without a list, and “serious” is a judgement. The engines stored here whose falls are kept step by \
             step, MuJoCo and Drake, do not.",
-        argument: "Stored falls of MuJoCo 3.17.0 (integrator Euler) and Drake 1.51.1 (SAP) at h = 1/100 s: q⁺ − q − h v⁺ is zero to \
-            rounding, q⁺ − q − h v is g h² = 9.81·10⁻⁴ m in every step.",
+        argument: r"Stored falls of MuJoCo 3.17.0 (integrator Euler) and Drake 1.51.1 (SAP) at $h = 1/100$ s: $q^+ - q - h\,v^+$ is zero
+            to rounding, $q^+ - q - h\,v$ is $g\,h^2 = 9.81\cdot10^{-4}$ m in every step.",
         controls: &["A fall under explicit Euler in place of the stored ones."],
         sources: &["chapter §8, why explicit Euler fails", "references/mujoco and references/drake, ball_drop at h = 0.01"],
         check: check!(nobody),
@@ -41,8 +41,8 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated, with the sentence before it: contact forces may be solved for the velocity at the end of the step \
             (all three do), other forces are taken at its start, and the body moves with the new velocity. MuJoCo offers other \
             integrators.",
-        argument: "MuJoCo and Drake: as in S8.nobody-explicit. Bullet: in a stored fall at h = 1/100 s q⁺ = q + h v⁺ to rounding; a thrown \
-            body of PyBullet 3.2.7 is ½ g h t = 0.04905 m off its parabola at h = 1/60 s, as an Euler rule is.",
+        argument: r"MuJoCo and Drake: as in S8.nobody-explicit. Bullet: in a stored fall at $h = 1/100$ $s\,q^+ = q + h\,v^+$ to rounding;
+            a thrown body of PyBullet 3.2.7 is $\tfrac12\,g\,h\,t = 0.04905$ m off its parabola at $h = 1/60$ s, as an Euler rule is.",
         controls: &[
             "Siconos 4.4.0 in place of Bullet's thrown body: it follows the parabola to rounding.",
             "A fall under explicit Euler in place of the stored ones.",
@@ -55,19 +55,19 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S8.drake-midpoint",
-        statement: "Fully implicit, θ = 1, with O(h²) dissipation: Drake SAP's midpoint, and implicitfast, lean towards this end; in the \
-            table Drake SAP's midpoint represents it.",
+        statement: r"Fully implicit, $\theta = 1$, with $O(h^2)$ dissipation: Drake SAP's midpoint, and implicitfast, lean towards this
+            end; in the table Drake SAP's midpoint represents it.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "Midpoint is θ = 1/2: it neither dissipates nor is L-stable. A step that is implicit in the velocity alone, as \
-            implicitfast is, is semi-implicit Euler on an undamped spring, with its bound hω < 2. Drake's discrete stepper moves with the \
-            new velocity (S8.semi-sim-list).",
-        argument: "hω = 3/10 in rationals: θ = 1/2 has E⁺/E = 1 and determinant 1, the level's θ = 1 100/109; the step with implicit \
-            damping has the matrix of semi-implicit Euler. A damper with h c/m = 10⁹ keeps −(10⁹ − 2)/(10⁹ + 2) of its velocity under θ = \
-            1/2.",
-        controls: &["θ = 1 in place of the midpoint rule."],
+        correct_statement: r"Midpoint is $\theta = 1/2$: it neither dissipates nor is $L$-stable. A step that is implicit in the velocity
+            alone, as implicitfast is, is semi-implicit Euler on an undamped spring, with its bound $h\omega < 2$. Drake's discrete
+            stepper moves with the new velocity (S8.semi-sim-list).",
+        argument: r"$h\omega = 3/10$ in rationals: $\theta = 1/2$ has $E^+/E = 1$ and determinant 1, the level's $\theta = 1$ 100/109; the
+            step with implicit damping has the matrix of semi-implicit Euler. A damper with $h\,c/m = 10^9$ keeps $-(10^9 - 2)/(10^9 + 2)$
+            of its velocity under $\theta = 1/2$.",
+        controls: &[r"$\theta = 1$ in place of the midpoint rule."],
         sources: &["chapter §8, three levels and table", "MuJoCo documentation, computation: numerical integration (3.17)"],
         check: check!(midpoint),
     },
@@ -78,26 +78,25 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Measured,
-        correct_statement: "All semi-implicit: not so. Siconos uses its θ scheme, as the \
-            chapter says elsewhere.",
-        argument: "A thrown body at h = 1/60 s: an Euler rule is ½ g h t = 0.04905 m off the parabola; Siconos 4.4.0 is off by rounding, θ \
-            = 1/2.",
+        correct_statement: r"All semi-implicit: not so. Siconos uses its $\theta$ scheme, as the chapter says elsewhere.",
+        argument: r"A thrown body at $h = 1/60$ s: an Euler rule is $\tfrac12\,g\,h\,t = 0.04905$ m off the parabola; Siconos 4.4.0 is off
+            by rounding, $\theta = 1/2$.",
         controls: &["Bullet in place of Siconos.", "Siconos in place of Bullet."],
         sources: &["chapter §8, pitfall: semi-implicit and explicit Euler are nearly the same", "references/scoreboard, flight/projectile"],
         check: check!(not_all),
     },
     Claim {
         id: "S8.plastic-common",
-        statement: "Contact of robots mostly has e ≈ 0, so that symplectic integrators fail there altogether.",
+        statement: r"Contact of robots mostly has $e \approx 0$, so that symplectic integrators fail there altogether.",
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Opinion,
         severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "How common plastic contact is, is a statement about models, and “fail” a judgement. At the impact nothing is \
             left to preserve; between impacts a symplectic step stays one.",
-        argument: "Flow across an impact on a disk: det D = 0 at e = 0 and 1/100 at e = 1/10. Free steps on an undamped spring keep \
-            determinant 1.",
-        controls: &["e = 1 in both impacts.", "Explicit Euler in the free step."],
+        argument: r"Flow across an impact on a disk: $\det D = 0$ at $e = 0$ and 1/100 at $e = 1/10$. Free steps on an undamped spring
+            keep determinant 1.",
+        controls: &[r"$e = 1$ in both impacts.", "Explicit Euler in the free step."],
         sources: &["chapter §8, conclusion of the negative result"],
         check: check!(common),
     },
@@ -114,10 +113,10 @@ pub const CLAIMS: &[Claim] = &[
             where the inertia depends on the configuration, and that continuous-time dynamics are defined backward in time; it names \
             neither plastic contact nor Cirak and West. Forces follow from accelerations in closed form, which may be \
             meant by reversible (S6.time-reversible); the step itself is not, and at the touching point it is not differentiable.",
-        argument: "Stack of three: Newton finds an arbitrary change of velocity again from the push that causes it. In \
-            rationals: a step h of semi-implicit Euler followed by a step −h does not return, on a spring without damper; Verlet's \
-            does. At touching, ∂v⁺/∂φ of a step h = 1/5 on a one-sided spring of unit stiffness jumps by h from the separated to \
-            the pressed side. With MuJoCo's smallest t_c = 2h the contact step is singular (S8.timeconst-origin).",
+        argument: r"Stack of three: Newton finds an arbitrary change of velocity again from the push that causes it. In rationals: a step
+            $h$ of semi-implicit Euler followed by a step $-h$ does not return, on a spring without damper; Verlet's does. At touching,
+            $\partial v^+/\partial\varphi$ of a step $h = 1/5$ on a one-sided spring of unit stiffness jumps by $h$ from the separated to
+            the pressed side. With MuJoCo's smallest $t_c = 2h$ the contact step is singular (S8.timeconst-origin).",
         controls: &["Verlet's step in place of semi-implicit Euler's.", "The push without the contact forces."],
         sources: &[
             "chapter §8, why MuJoCo does not use variational integrators",

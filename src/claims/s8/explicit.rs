@@ -20,27 +20,28 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated for an undamped oscillator: E⁺ = (1 + h²ω²) E from every state. A damper that takes more than that, \
-            2ζ > hω, makes the same step decay (S8.explicit-G).",
-        argument: "With D the step matrix and Q = diag(ω², 1): DᵀQD = (1 + h²ω²) Q, an identity of matrices, checked in rationals with ω = \
-            2, h = 3/20.",
+        correct_statement: r"As stated for an undamped oscillator: $E^+ = (1 + h^2\omega^2)\,E$ from every state. A damper that takes more
+            than that, $2\zeta > h\omega$, makes the same step decay (S8.explicit-G).",
+        argument: r"With $D$ the step matrix and $Q = \operatorname{diag}(\omega^2, 1)$: $D^TQD = (1 + h^2\omega^2)\,Q$, an identity of
+            matrices, checked in rationals with $\omega = 2$, $h = 3/20$.",
         controls: &["Semi-implicit Euler in place of explicit Euler."],
         sources: &["chapter §8, explicit Euler"],
         check: check!(injects),
     },
     Claim {
         id: "S8.explicit-bound",
-        statement: "Explicit Euler is stable only for h < 2/√(k/m), a bound that shrinks with the stiffness.",
+        statement: r"Explicit Euler is stable only for $h < 2/\sqrt{k/m}$, a bound that shrinks with the stiffness.",
         verdict: ClaimVerdict::Inconsistent,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
-        correct_statement: "Without damping no step is stable, as the same section derives a few lines later. 2/ω is the bound of \
-            semi-implicit Euler. With damping the bound of explicit Euler is s = hω < 2ζ for ζ ≤ 1 and s < 2/(ζ + √(ζ²−1)) beyond; it \
-            equals 2 at ζ = 1 only.",
-        argument: "Trace 2 − 2ζs, determinant 1 − 2ζs + s². ζ = 0: the determinant is 1 + s² > 1 for every s. Decided in rationals at s = \
-            1/1000, 1, 199/100, all below 2: powers grow. Both sides of the bound at ζ = 0.3, 1, 1.25 and 2.",
-        controls: &["Semi-implicit Euler, of which the example, too, says that it is stable below 2/ω."],
+        correct_statement: r"Without damping no step is stable, as the same section derives a few lines later. $2/\omega$ is the bound of
+            semi-implicit Euler. With damping the bound of explicit Euler is $s = h\omega < 2\zeta$ for $\zeta \le 1$ and
+            $s < 2/(\zeta + \sqrt{\zeta^2 - 1})$ beyond; it equals 2 at $\zeta = 1$ only.",
+        argument: r"Trace $2 - 2\zeta s$, determinant $1 - 2\zeta s + s^2$. $\zeta = 0$: the determinant is $1 + s^2 > 1$ for every $s$.
+            Decided in rationals at $s = 1/1000$, 1, 199/100, all below 2: powers grow. Both sides of the bound at $\zeta = 0.3$, 1, 1.25
+            and 2.",
+        controls: &[r"Semi-implicit Euler, of which the example, too, says that it is stable below $2/\omega$."],
         sources: &["chapter §8, why explicit Euler fails, against the example on stability bounds"],
         check: check!(bound_of_explicit),
     },
@@ -51,41 +52,42 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: the step in which the contact acts still moves by h v, so that a ball that touches the floor at \
-            speed |v| ends the step h|v| below it, whatever e.",
-        argument: "Moreau–Jean with θ = 0, ball at q = 0 with v = −2 m/s, h = 1/100 s: q⁺ = −1/50 m for e = 0 and e = 1/2, while v⁺ is \
-            already 0 and 1. With θ = 1 the ball ends at 0 and at 1/100 m.",
-        controls: &["θ = 1 in the position update.", "A ball 1 cm above the floor, whose contact does not act in this step."],
+        correct_statement: r"As stated: the step in which the contact acts still moves by $h\,v$, so that a ball that touches the floor at
+            speed $|v|$ ends the step $h|v|$ below it, whatever $e$.",
+        argument: r"Moreau–Jean with $\theta = 0$, ball at $q = 0$ with $v = -2$ m/s, $h = 1/100$ s: $q^+ = -1/50$ m for $e = 0$ and
+            $e = 1/2$, while $v^+$ is already 0 and 1. With $\theta = 1$ the ball ends at 0 and at 1/100 m.",
+        controls: &[r"$\theta = 1$ in the position update.", "A ball 1 cm above the floor, whose contact does not act in this step."],
         sources: &["chapter §8, why explicit Euler fails"],
         check: check!(lag),
     },
     Claim {
         id: "S8.explicit-G",
-        statement: "On an undamped spring the amplification factor of explicit Euler is |G| = √(1 + ω²h²) > 1: unstable for every step.",
+        statement: r"On an undamped spring the amplification factor of explicit Euler is $|G| = \sqrt{1 + \omega^2h^2} > 1$: unstable for
+            every step.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated, for the undamped spring that it names.",
-        argument: "Eigenvalues 1 ± i s: trace 2 and determinant 1 + s² exactly. At ζ = 3/10 steps below s = 2ζ are stable: |G|² = 0.9941 \
-            at 0.59 and 1.0061 at 0.61.",
-        controls: &["The spring with ζ = 3/10 at s = 1/2."],
+        argument: r"Eigenvalues $1 \pm i\,s$: trace 2 and determinant $1 + s^2$ exactly. At $\zeta = 3/10$ steps below
+            $s = 2\zeta$ are stable: $|G|^2 = 0.9941$ at 0.59 and 1.0061 at 0.61.",
+        controls: &[r"The spring with $\zeta = 3/10$ at $s = 1/2$."],
         sources: &["chapter §8, example on stability bounds"],
         check: check!(amplification),
     },
     Claim {
         id: "S8.ex1",
-        statement: "Exercise: on an undamped spring E = ½(v² + ω²x²) grows by (1 + ω²h²) a step under explicit Euler; under semi-implicit \
-            Euler a conserved quantity bounds it over long times.",
+        statement: r"Exercise: on an undamped spring $E = \tfrac12(v^2 + \omega^2x^2)$ grows by ($1 + \omega^2h^2$) a step under explicit
+            Euler; under semi-implicit Euler a conserved quantity bounds it over long times.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Exercise,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "The conserved quantity is v² + ω²x² − hω²xv, which bounds E if and only if hω < 2. With the position updated \
-            first the sign of the last term is reversed.",
-        argument: "200 steps with ω = 2, h = 1/10 in rationals from (1, 1/3): one value. The form has determinant ω²(1 − s²/4), positive \
-            iff s < 2: the powers of the step are bounded at hω = 199/100 and grow at 2.",
-        controls: &["hω = 199/100 in place of 2.", "The two methods exchanged."],
+        correct_statement: r"The conserved quantity is $v^2 + \omega^2x^2 - h\omega^2xv$, which bounds $E$ if and only if $h\omega < 2$.
+            With the position updated first the sign of the last term is reversed.",
+        argument: r"200 steps with $\omega = 2$, $h = 1/10$ in rationals from $(1, 1/3)$: one value. The form has determinant
+            $\omega^2(1 - s^2/4)$, positive iff $s < 2$: the powers of the step are bounded at $h\omega = 199/100$ and grow at 2.",
+        controls: &[r"$h\omega = 199/100$ in place of 2.", "The two methods exchanged."],
         sources: &["chapter §8, exercise 1"],
         check: check!(exercise),
     },

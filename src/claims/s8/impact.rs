@@ -24,13 +24,13 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "At e = 0, where the flow is singular, at a grazing impact, where its derivative grows without bound, and for a \
-            step that reverses the velocity without locating the impact, which turns phase volume over. Across a located impact with e > 0 \
-            and a normal speed the flow is smooth with a smooth inverse: its determinant is e².",
-        argument: "Disk of radius 1 hit from outside at (3/5, 4/5) under the constant acceleration (1/2, −3), e = 1/2: determinant exactly \
-            1/4, and 0 at e = 0. Ball on a floor, g = 10: the entry ∂v⁺/∂q is (1+e) g/|v_n|: arriving at 1/10, 1/100, 1/1000 m/s it grows \
-            by a factor of ten each time. A Moreau–Jean step with e = 1/2 has determinant −1/2.",
-        controls: &["e = 0 in place of 1/2.", "e = 1 in place of 0."],
+        correct_statement: r"At $e = 0$, where the flow is singular, at a grazing impact, where its derivative grows without bound, and
+            for a step that reverses the velocity without locating the impact, which turns phase volume over. Across a located impact with
+            $e > 0$ and a normal speed the flow is smooth with a smooth inverse: its determinant is $e^2$.",
+        argument: r"Disk of radius 1 hit from outside at $(3/5, 4/5)$ under the constant acceleration $(1/2, -3)$, $e = 1/2$: determinant
+            exactly 1/4, and 0 at $e = 0$. Ball on a floor, $g = 10$: the entry $\partial v^+/\partial q$ is $(1 + e)\,g/|v_n|$: arriving
+            at 1/10, 1/100, 1/1000 m/s it grows by a factor of ten each time. A Moreau–Jean step with $e = 1/2$ has determinant −1/2.",
+        controls: &[r"$e = 0$ in place of 1/2.", r"$e = 1$ in place of 0."],
         sources: &[
             "chapter §8, the negative result, intuition",
             "di Bernardo et al., Piecewise-smooth Dynamical Systems (2008), §2.5 on saltation matrices",
@@ -39,45 +39,46 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S8.e-lt-1",
-        statement: "As soon as e < 1 the symplectic form is lost.",
+        statement: r"As soon as $e < 1$ the symplectic form is lost.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: det D = e² for every number of coordinates, curved walls and constant forces. J⁻¹DᵀJD has the \
-            eigenvalues e², e², 1, 1, …: with one coordinate the form is scaled by e², with more it is not.",
-        argument: "Impact on the disk as in S8.activation-not-diffeo, e = 4/5: det D = 16/25, in space on the sphere too; A = J⁻¹DᵀJD has \
-            trace 2 + 2e² and (A − I)(A − e²I) = 0, A ≠ e²I, exactly. Ball on the floor: DᵀJD = e²J.",
-        controls: &["e = 1, which keeps the form.", "A body that slides with friction, μ = 1/2, across the disk."],
+        correct_statement: r"As stated: $\det D = e^2$ for every number of coordinates, curved walls and constant forces. $J^{-1}D^TJD$
+            has the eigenvalues $e^2$, $e^2$, 1, 1, …: with one coordinate the form is scaled by $e^2$, with more it is not.",
+        argument: r"Impact on the disk as in S8.activation-not-diffeo, $e = 4/5$: $\det D = 16/25$, in space on the sphere too;
+            $A = J^{-1}D^TJD$ has trace $2 + 2e^2$ and $(A - I)(A - e^2I) = 0$, $A \ne e^2I$, exactly. Ball on the floor:
+            $D^TJD = e^2J$.",
+        controls: &[r"$e = 1$, which keeps the form.", r"A body that slides with friction, $\mu = 1/2$, across the disk."],
         sources: &["chapter §8, the negative result"],
         check: check!(dissipative),
     },
     Claim {
         id: "S8.e0",
-        statement: "A plastic impact (e = 0) and symplecticity contradict each other.",
+        statement: r"A plastic impact ($e = 0$) and symplecticity contradict each other.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated: the flow is not even invertible. On a flat wall it loses two dimensions, the gap and its rate; a \
             curved one, which the body leaves along the tangent, keeps one of them, the time of the impact.",
-        argument: "Impact without load, e = 0, in rationals: det D = 0 on the disk and on a flat floor; rank 3 and 2 of 4.",
-        controls: &["e = 1/2."],
+        argument: r"Impact without load, $e = 0$, in rationals: $\det D = 0$ on the disk and on a flat floor; rank 3 and 2 of 4.",
+        controls: &[r"$e = 1/2$."],
         sources: &["chapter §8, conclusion of the negative result"],
         check: check!(plastic),
     },
     Claim {
         id: "S8.e1-only",
-        statement: "Symplecticity is kept only for e = 1, purely elastic, and without correction of the penetration.",
+        statement: r"Symplecticity is kept only for $e = 1$, purely elastic, and without correction of the penetration.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "The flow with exact impacts keeps it iff e = 1. A time-stepping scheme without correction need not: a \
-            Moreau–Jean step in which the contact acts has determinant −e, that is −1 for e = 1, for every θ. And a correction need not \
-            destroy it (S8.cirak-west).",
-        argument: "Flow across the disk, e = 1: DᵀJD − J = 0 exactly, and not for e = 4/5. Ball, Moreau–Jean in rationals with dual \
-            numbers: det D = −e at θ = 0, 1/2, 1, for e = 1 and 1/2.",
+        correct_statement: r"The flow with exact impacts keeps it iff $e = 1$. A time-stepping scheme without correction need not: a
+            Moreau–Jean step in which the contact acts has determinant $-e$, that is −1 for $e = 1$, for every $\theta$. And a correction
+            need not destroy it (S8.cirak-west).",
+        argument: r"Flow across the disk, $e = 1$: $D^TJD - J = 0$ exactly, and not for $e = 4/5$. Ball, Moreau–Jean in rationals with
+            dual numbers: $\det D = -e$ at $\theta = 0$, 1/2, 1, for $e = 1$ and 1/2.",
         controls: &[
             "The flow of the ball across its impact in place of the Moreau–Jean step.",
             "The two coefficients of restitution of the flow exchanged.",
@@ -87,16 +88,16 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S8.friction-det",
-        statement: "(Not in the chapter: a question of ours beside its sentence that e < 1, dissipation, loses the form.) What does \
+        statement: r"(Not in the chapter: a question of ours beside its sentence that $e < 1$, dissipation, loses the form.) What does
             friction do to phase volume and to the form in an impact?",
         verdict: ClaimVerdict::True,
         kind: Kind::Exercise,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "An impact in which the body slides throughout has det D = e², as without friction, and is not symplectic even \
-            at e = 1: conserved volume does not show a conserved form. An impact that sticks has det D = 0.",
-        argument: "Disk, μ = 1/2: det D = 9/25 for e = 3/5, and 1 for e = 1 with DᵀJD ≠ J. Sticking: 0.",
-        controls: &["No friction, which at e = 1 is symplectic.", "e = 1/2 in place of 1 and of 3/5."],
+        correct_statement: r"An impact in which the body slides throughout has $\det D = e^2$, as without friction, and is not symplectic
+            even at $e = 1$: conserved volume does not show a conserved form. An impact that sticks has $\det D = 0$.",
+        argument: r"Disk, $\mu = 1/2$: $\det D = 9/25$ for $e = 3/5$, and 1 for $e = 1$ with $D^TJD \ne J$. Sticking: 0.",
+        controls: &[r"No friction, which at $e = 1$ is symplectic.", r"$e = 1/2$ in place of 1 and of 3/5."],
         sources: &[
             "suggested by chapter §8, the negative result; not stated there",
             "S8.e-lt-1",
@@ -114,11 +115,11 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "Projection squashes, determinant 0. The exception is the flow with the impact at its time, determinant 1; \
             reversing the velocity at the end of a step is not, determinant −1.",
-        argument: "A semi-implicit step put back on the wall: 0. The same step with its velocity reversed, e = 1: −1. The flow of a ball \
-            across its elastic impact: 1, and symplectic.",
+        argument: r"A semi-implicit step put back on the wall: 0. The same step with its velocity reversed, $e = 1$: −1. The flow of a
+            ball across its elastic impact: 1, and symplectic.",
         controls: &[
             "The flow in place of the step with reversed velocity.",
-            "e = 4/5 in the flow.",
+            r"$e = 4/5$ in the flow.",
             "A step of 1/2000 s, too short to penetrate, in place of the one that is put back.",
         ],
         sources: &["chapter §8, exercise 2"],
@@ -132,14 +133,14 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Exercise,
         severity: None,
         evidence: Evidence::NotDecidable,
-        correct_statement: "Which of its criteria a task needs is a judgement. What each method has can be said: (a) without contact \
-            semi-implicit Euler is itself symplectic, so that the two answers are one; (b, d) at e = 0 nothing is symplectic; (c) located \
-            elastic impacts and the variational step are, and Moreau–Jean keeps the energy of a ball without being so.",
-        argument: "(a) Two coupled masses in a cubic potential: DᵀJD − J = 0. (b, d) Flow across a disk, e = 0: det D = 0. (c) The same \
-            flow and the variational step with e = 1: DᵀJD − J = 0; Moreau–Jean, θ = 1/2, h = 1/100 s, ten thousand steps of a bouncing \
-            ball: energy within rounding.",
+        correct_statement: r"Which of its criteria a task needs is a judgement. What each method has can be said: (a) without contact
+            semi-implicit Euler is itself symplectic, so that the two answers are one; $(b, d)$ at $e = 0$ nothing is symplectic; (c)
+            located elastic impacts and the variational step are, and Moreau–Jean keeps the energy of a ball without being so.",
+        argument: r"(a) Two coupled masses in a cubic potential: $D^TJD - J = 0$. $(b, d)$ Flow across a disk, $e = 0$: $\det D = 0$. (c)
+            The same flow and the variational step with $e = 1$: $D^TJD - J = 0$; Moreau–Jean, $\theta = 1/2$, $h = 1/100$ s, ten thousand
+            steps of a bouncing ball: energy within rounding.",
         controls: &[
-            "e = 0.9999 in every impact, and the variational step's velocity cut to that share.",
+            r"$e = 0.9999$ in every impact, and the variational step's velocity cut to that share.",
             "Explicit Euler in place of semi-implicit Euler.",
         ],
         sources: &["chapter §8, exercise 3", "S8.backwards-theta-energy"],

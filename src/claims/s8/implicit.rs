@@ -13,48 +13,50 @@ use crate::tolerance::rounding;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S8.implicit-AL",
-        statement: "Fully implicit integration (θ = 1) is the most stable, A-stable and L-stable; it allows large steps and needs a \
-            nonlinear system solved per step.",
+        statement: r"Fully implicit integration ($\theta = 1$) is the most stable, A-stable and $L$-stable; it allows large steps and
+            needs a nonlinear system solved per step.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated; a system that is nonlinear where the forces are, with contact in it in any case. θ = 1/2 is \
-            A-stable, not L-stable.",
-        argument: "R(z) = 1/(1 − z): |R| < 1 in the left half plane, and R → 0. In rationals: steps of s = 1/1000, 1 and 10⁶ decay at ζ = \
-            1/1000, 1 and 50; a damper with h c/m = 10⁹ keeps 1/(1 + 10⁹) of its velocity under θ = 1 and −(10⁹ − 2)/(10⁹ + 2) under θ = \
-            1/2.",
-        controls: &["θ = 1/2 in place of 1: A-stable, not L-stable.", "Semi-implicit Euler in place of θ = 1."],
+        correct_statement: r"As stated; a system that is nonlinear where the forces are, with contact in it in any case. $\theta = 1/2$ is
+            A-stable, not $L$-stable.",
+        argument: r"$R(z) = 1/(1 - z)$: $|R| < 1$ in the left half plane, and $R \to 0$. In rationals: steps of $s = 1/1000$, 1 and $10^6$
+            decay at $\zeta = 1/1000$, 1 and 50; a damper with $h\,c/m = 10^9$ keeps $1/(1 + 10^9)$ of its velocity under $\theta = 1$ and
+            $-(10^9 - 2)/(10^9 + 2)$ under $\theta = 1/2$.",
+        controls: &[r"$\theta = 1/2$ in place of 1: A-stable, not $L$-stable.", r"Semi-implicit Euler in place of $\theta = 1$."],
         sources: &["chapter §8, three levels", "Hairer and Wanner, Solving Ordinary Differential Equations II, IV.3"],
         check: check!(stiff),
     },
     Claim {
         id: "S8.backward-uncond",
-        statement: "Implicit Euler is unconditionally stable on the spring, |G| < 1 for every h; the price is an O(h²) dissipation that \
-            wipes out the contact's oscillation at large steps.",
+        statement: r"Implicit Euler is unconditionally stable on the spring, $|G| < 1$ for every $h$; the price is an $O(h^2)$ dissipation
+            that wipes out the contact's oscillation at large steps.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated; |G|² = 1/(1 + s²), per step (over a fixed time the loss is O(h), S8.implicit-diss).",
-        argument: "Determinant 1/(1 + s²) and decay at s = 1/1000, 1, 2, 10⁶ in rationals, without damping; |G| = 1/√(1 + s²) in floating \
-            point.",
-        controls: &["θ = 1/2, for which |G| = 1."],
+        correct_statement: r"As stated; $|G|^2 = 1/(1 + s^2)$, per step (over a fixed time the loss is $O(h)$, S8.implicit-diss).",
+        argument: r"Determinant $1/(1 + s^2)$ and decay at $s = 1/1000$, 1, 2, $10^6$ in rationals, without damping;
+            $|G| = 1/\sqrt{1 + s^2}$ in floating point.",
+        controls: &[r"$\theta = 1/2$, for which $|G| = 1$."],
         sources: &["chapter §8, example on stability bounds"],
         check: check!(backward),
     },
     Claim {
         id: "S8.implicit-diss",
-        statement: "The price of the fully implicit level is numerical dissipation (that of θ = 1, O(h²)).",
+        statement: r"The price of the fully implicit level is numerical dissipation (that of $\theta = 1$, $O(h^2)$).",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "On a convex potential, and per step, as §3 derives it: a spring has E⁺/E = 1/(1 + h²ω²). Where the potential \
-            is concave, q̈ = ω²q, the same step gains, E⁺/E = 1/(1 − h²ω²). Over a fixed time the loss is O(h).",
-        argument: "ω = 1, in rationals: the energy lost in a step of 1/32 over that in one of 1/64 lies within 1/16 of 4; over t = 1 the \
-            ratio is within 1/16 of 2. Across the top of a hill, q̈ = q, a step of 1/2 with θ = 1 makes 4/3 of the energy.",
-        controls: &["A spring in place of the hill.", "A spring with a damper, ζ = 1/2, whose own loss in a step is O(h)."],
+        correct_statement: r"On a convex potential, and per step, as §3 derives it: a spring has $E^+/E = 1/(1 + h^2\omega^2)$. Where the
+            potential is concave, $\ddot q = \omega^2q$, the same step gains, $E^+/E = 1/(1 - h^2\omega^2)$. Over a fixed time the loss is
+            $O(h)$.",
+        argument: r"$\omega = 1$, in rationals: the energy lost in a step of 1/32 over that in one of 1/64 lies within 1/16 of 4; over
+            $t = 1$ the ratio is within 1/16 of 2. Across the top of a hill, $\ddot q = q$, a step of 1/2 with $\theta = 1$ makes 4/3 of
+            the energy.",
+        controls: &["A spring in place of the hill.", r"A spring with a damper, $\zeta = 1/2$, whose own loss in a step is $O(h)$."],
         sources: &["chapter §8, three levels and table"],
         check: check!(dissipation),
     },
@@ -67,58 +69,60 @@ pub const CLAIMS: &[Claim] = &[
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated.",
-        argument: "Undamped spring, 20 steps of s = 1: θ = 1 leaves 2⁻²⁰ of the energy, θ = 1/2 all of it, and semi-implicit Euler returns \
-            to its start after six steps, without solving anything.",
-        controls: &["θ = 1/2 in place of 1.", "A spring with a damper, ζ = 1/10, which takes energy under every method."],
+        argument: r"Undamped spring, 20 steps of $s = 1$: $\theta = 1$ leaves $2^{-20}$ of the energy, $\theta = 1/2$ all of it, and
+            semi-implicit Euler returns to its start after six steps, without solving anything.",
+        controls: &[r"$\theta = 1/2$ in place of 1.", r"A spring with a damper, $\zeta = 1/10$, which takes energy under every method."],
         sources: &["chapter §8, pitfall: fully implicit is always best"],
         check: check!(not_always),
     },
     Claim {
         id: "S8.theta-spectrum",
-        statement: "The θ scheme parametrises the spectrum: θ = 0 explicit, θ = 1 fully implicit, θ = 1/2 trapezoidal, close to a \
-            symplectic method's neutrality in energy.",
+        statement: r"The $\theta$ scheme parametrises the spectrum: $\theta = 0$ explicit, $\theta = 1$ fully implicit, $\theta = 1/2$
+            trapezoidal, close to a symplectic method's neutrality in energy.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated; on linear forces θ = 1/2 is symplectic and keeps the energy exactly: E⁺/E = (1 + (1−θ)²s²)/(1 + \
-            θ²s²), determinant the same number.",
-        argument: "hω = 3/10 in rationals, θ = 0, 1/4, 1/2, 3/4, 1: energy ratio and determinant are the formula, and 1 at θ = 1/2.",
-        controls: &["θ = 2/5 in the place of 1/2.", "A spring with a damper, ζ = 1/10."],
+        correct_statement: r"As stated; on linear forces $\theta = 1/2$ is symplectic and keeps the energy exactly:
+            $E^+/E = (1 + (1 - \theta)^2s^2)/(1 + \theta^2s^2)$, determinant the same number.",
+        argument: r"$h\omega = 3/10$ in rationals, $\theta = 0$, 1/4, 1/2, 3/4, 1: energy ratio and determinant are the formula, and 1 at
+            $\theta = 1/2$.",
+        controls: &[r"$\theta = 2/5$ in the place of 1/2.", r"A spring with a damper, $\zeta = 1/10$."],
         sources: &["chapter §8, bridge to §3"],
         check: check!(spectrum),
     },
     Claim {
         id: "S8.semi-on-spectrum",
-        statement: "Semi-implicit Euler is a particular splitting (velocity implicit, position semi-implicit); it, the θ scheme of Siconos \
-            and Drake's are points of the same spectrum.",
+        statement: r"Semi-implicit Euler is a particular splitting (velocity implicit, position semi-implicit); it, the $\theta$ scheme of
+            Siconos and Drake's are points of the same spectrum.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "Of the spectrum from explicit to implicit, yes; no value of θ gives it unless the force is constant. It takes \
-            the force at the old position, θ_v = 0, and the velocity at the new one, θ_q = 1.",
-        argument: "Its determinant is 1, which on the θ family only θ = 1/2 has, where the trace is 2(4 − s²)/(4 + s²) ≠ 2 − s². At s = 1: \
-            6/5 against 1. Under a constant force θ = 1 is the same step.",
-        controls: &["The step of θ = 1/2 in place of that of semi-implicit Euler.", "The step of explicit Euler."],
+        correct_statement: r"Of the spectrum from explicit to implicit, yes; no value of $\theta$ gives it unless the force is constant.
+            It takes the force at the old position, $\theta_v = 0$, and the velocity at the new one, $\theta_q = 1$.",
+        argument: r"Its determinant is 1, which on the $\theta$ family only $\theta = 1/2$ has, where the trace is
+            $2(4 - s^2)/(4 + s^2) \ne 2 - s^2$. At $s = 1$: 6/5 against 1. Under a constant force $\theta = 1$ is the same step.",
+        controls: &[r"The step of $\theta = 1/2$ in place of that of semi-implicit Euler.", "The step of explicit Euler."],
         sources: &["chapter §8, bridge to §3"],
         check: check!(no_theta),
     },
     Claim {
         id: "S8.backwards-theta-energy",
-        statement: "θ = 1/2 is the trapezoidal rule, close to a symplectic method's neutrality in energy; θ = 1 is fully implicit and \
-            dissipates.",
+        statement: r"$\theta = 1/2$ is the trapezoidal rule, close to a symplectic method's neutrality in energy; $\theta = 1$ is fully
+            implicit and dissipates.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "In smooth motion under a constant force or a convex potential. Where the potential is concave θ = 1 gains. And \
-            what it loses in flight, ½ m g²h² a step, elastic impacts give back: E − (θ − ½) m g h v is conserved through flights and \
-            impacts, for every θ.",
-        argument: "In rationals: a spring with hω = 3/10 keeps 100/109 of its energy in a step with θ = 1, and all of it with θ = 1/2; a \
-            body that crosses the top of a hill, q̈ = q, has 4/3 of its energy after a step of 1/2 with θ = 1. One step of flight loses \
-            ½ g²h² per kilogram. Elastic ball from 1 m, h = 1/100 s, 2000 steps with θ = 1: (E − ½ m g h v)/E₀ = 1.",
-        controls: &["A spring in place of the hill.", "θ = 0 in place of 1/2 and of 1."],
+        correct_statement: r"In smooth motion under a constant force or a convex potential. Where the potential is concave $\theta = 1$
+            gains. And what it loses in flight, $\tfrac12\,m\,g^2h^2$ a step, elastic impacts give back:
+            $E - (\theta - \tfrac12)\,m\,g\,h\,v$ is conserved through flights and impacts, for every $\theta$.",
+        argument: r"In rationals: a spring with $h\omega = 3/10$ keeps 100/109 of its energy in a step with $\theta = 1$, and all of it
+            with $\theta = 1/2$; a body that crosses the top of a hill, $\ddot q = q$, has 4/3 of its energy after a step of 1/2 with
+            $\theta = 1$. One step of flight loses $\tfrac12\,g^2h^2$ per kilogram. Elastic ball from 1 m, $h = 1/100$ s, 2000 steps with
+            $\theta = 1$: $(E - \tfrac12\,m\,g\,h\,v)/E_0 = 1$.",
+        controls: &["A spring in place of the hill.", r"$\theta = 0$ in place of 1/2 and of 1."],
         sources: &["chapter §8, bridge to §3", "S3.energy-runs-down"],
         check: check!(under_gravity),
     },

@@ -20,38 +20,43 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: the velocities agree and the positions differ by h² a(q, v).",
-        argument: "One step of h = 1/5 of v̇ = −q − q³ − v/2 from (1/2, −3) in rationals.",
+        correct_statement: r"As stated: the velocities agree and the positions differ by $h^2\,a(q, v)$.",
+        argument: r"One step of $h = 1/5$ of $\dot v = -q - q^3 - v/2$ from $(1/2, -3)$ in rationals.",
         controls: &["Semi-implicit Euler with implicit damping, which changes the velocity too."],
         sources: &["chapter §8, three levels and essential insight"],
         check: check!(one_change),
     },
     Claim {
         id: "S8.semi-G-iff",
-        statement: "On an undamped spring semi-implicit Euler has |G| = 1 if and only if ω h ≤ 2.",
+        statement: r"On an undamped spring semi-implicit Euler has $|G| = 1$ if and only if $\omega\,h \le 2$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, of the moduli of the eigenvalues: the step matrix has trace 2 − s² and determinant 1. At s = 2 the \
-            powers grow all the same (S8.semi-bound).",
-        argument: "Determinant 1 and |2 − s²| ≤ 2 iff s ≤ 2. Decided in rationals at s = 1/1000, 1, 2 − 10⁻⁶, 2 and 2 + 10⁻⁶.",
-        controls: &["The spring with ζ = 1/10, on which every step shrinks the phase volume.", "The trapezoidal rule, θ = 1/2."],
+        correct_statement: r"As stated, of the moduli of the eigenvalues: the step matrix has trace $2 - s^2$ and
+            determinant 1. At $s = 2$ the powers grow all the same (S8.semi-bound).",
+        argument: r"Determinant 1 and $|2 - s^2| \le 2$ iff $s \le 2$. Decided in rationals at $s = 1/1000$, 1, $2 - 10^{-6}$, 2 and
+            $2 + 10^{-6}$.",
+        controls: &[
+            r"The spring with $\zeta = 1/10$, on which every step shrinks the phase volume.",
+            r"The trapezoidal rule, $\theta = 1/2$.",
+        ],
         sources: &["chapter §8, example on stability bounds"],
         check: check!(modulus_one),
     },
     Claim {
         id: "S8.semi-bound",
-        statement: "The stability bound of semi-implicit Euler on an undamped spring is h ≤ 2/ω₀.",
+        statement: r"The stability bound of semi-implicit Euler on an undamped spring is $h \le 2/\omega_0$.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::Misprint),
         evidence: Evidence::Certified,
-        correct_statement: "h < 2/ω₀, strictly: at s = 2 the step is −(I + N) with N² = 0, and the motion grows by the same amount every \
-            step. Below, the amplitude is at most q₀/√(1 − s²/4) from rest.",
-        argument: "From q₀ at rest with s = 2: q_n = (−1)ⁿ (1 + 2n) q₀ exactly, 0.001 m becomes 0.401 m after 200 steps. With s = 199/100 \
-            the amplitude stays below that bound, at 0.01001 m; with s = 201/100 it grows as sinh((n + ½)θ)/sinh(θ/2), 2 cosh θ = s² − 2.",
-        controls: &["s = 199/100 in place of 2.", "Explicit Euler in place of semi-implicit Euler."],
+        correct_statement: r"$h < 2/\omega_0$, strictly: at $s = 2$ the step is $-(I + N)$ with $N^2 = 0$, and the motion grows by the
+            same amount every step. Below, the amplitude is at most $q_0/\sqrt{1 - s^2/4}$ from rest.",
+        argument: r"From $q_0$ at rest with $s = 2$: $q_n = (-1)^n\,(1 + 2n)\,q_0$ exactly, 0.001 m becomes 0.401 m after 200 steps. With
+            $s = 199/100$ the amplitude stays below that bound, at 0.01001 m; with $s = 201/100$ it grows as
+            $\sinh((n + \tfrac12)\theta)/\sinh(\theta/2)$, $2 \cosh \theta = s^2 - 2$.",
+        controls: &[r"$s = 199/100$ in place of 2.", "Explicit Euler in place of semi-implicit Euler."],
         sources: &["chapter §8, example on stability bounds"],
         check: check!(at_the_bound),
     },
@@ -63,40 +68,43 @@ pub const CLAIMS: &[Claim] = &[
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated, exponentially: one eigenvalue is below −1.",
-        argument: "|2 − s²| > 2: decided in rationals at s = 2 + 10⁻⁹, 5/2 and 100.",
-        controls: &["s = 2 in place of a little more: there the growth is linear.", "The trapezoidal rule, θ = 1/2."],
+        argument: r"$|2 - s^2| > 2$: decided in rationals at $s = 2 + 10^{-9}$, 5/2 and 100.",
+        controls: &[r"$s = 2$ in place of a little more: there the growth is linear.", r"The trapezoidal rule, $\theta = 1/2$."],
         sources: &["chapter §8, example on stability bounds"],
         check: check!(beyond),
     },
     Claim {
         id: "S8.one-over-pi",
-        statement: "What it means: the step may not exceed the order of 1/π of the contact's period; the harder the contact, the smaller \
-            the steps allowed.",
+        statement: r"What it means: the step may not exceed the order of $1/\pi$ of the contact's period; the harder the contact, the
+            smaller the steps allowed.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated of the order. Without damping it is 1/π exactly, 2/ω = T/π; with damping the share is smaller, 0.132 \
-            at ζ = 1 (S8.damped-bound).",
-        argument: "Largest stable step found by bisection in rationals for k = 10⁶ N/m, m = 1 kg, over the period 2π/1000 s: 1/π, and \
-            with critical damping less than half a power of ten below.",
-        controls: &["Critical damping in place of none.", "ζ = 10 in place of critical damping."],
+        correct_statement: r"As stated of the order. Without damping it is $1/\pi$ exactly, $2/\omega = T/\pi$; with damping the share is
+            smaller, 0.132 at $\zeta = 1$ (S8.damped-bound).",
+        argument: r"Largest stable step found by bisection in rationals for $k = 10^6$ N/m, $m = 1$ kg, over the period $2\pi/1000$ s:
+            $1/\pi$, and with critical damping less than half a power of ten below.",
+        controls: &["Critical damping in place of none.", r"$\zeta = 10$ in place of critical damping."],
         sources: &["chapter §8, example on stability bounds"],
         check: check!(share_of_the_period),
     },
     Claim {
         id: "S8.k1e6",
-        statement: "k = 10⁶ N/m, m = 1 kg: ω₀ = 1000 rad/s and h ≤ 2·10⁻³ s; k = 10⁸: h ≤ 2·10⁻⁴ s. A hundred times the stiffness needs a \
-            tenth of the step.",
+        statement: r"$k = 10^6$ N/m, $m = 1$ kg: $\omega_0 = 1000$ rad/s and $h \le 2\cdot10^{-3}$ s; $k = 10^8$: $h \le 2\cdot10^{-4}$ s.
+            A hundred times the stiffness needs a tenth of the step.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::Misprint),
         evidence: Evidence::Certified,
-        correct_statement: "h < 2·10⁻³ s and h < 2·10⁻⁴ s, strictly (S8.semi-bound), without damping; a hundred times the stiffness needs \
-            a tenth of the step.",
-        argument: "The stable steps found by bisection in rationals end at 2·10⁻³ s and 2·10⁻⁴ s, to 10⁻⁹ of them. At these steps \
-            themselves the powers of the step grow.",
-        controls: &["Steps of 1.99·10⁻³ s and 1.99·10⁻⁴ s in place of the bounds themselves.", "Critically damped springs, c = 2√(km)."],
+        correct_statement: r"$h < 2\cdot10^{-3}$ s and $h < 2\cdot10^{-4}$ s, strictly (S8.semi-bound), without damping; a hundred times
+            the stiffness needs a tenth of the step.",
+        argument: r"The stable steps found by bisection in rationals end at $2\cdot10^{-3}$ s and $2\cdot10^{-4}$ s, to $10^{-9}$ of them.
+            At these steps themselves the powers of the step grow.",
+        controls: &[
+            r"Steps of $1.99\cdot10^{-3}$ s and $1.99\cdot10^{-4}$ s in place of the bounds themselves.",
+            r"Critically damped springs, $c = 2\sqrt{km}$.",
+        ],
         sources: &["chapter §8, numerical example", "S8.semi-bound"],
         check: check!(steel),
     },
@@ -108,13 +116,13 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "On the undamped oscillator, for hω < 2. Bounded is not conserved: the largest over the smallest energy is up \
-            to (1 + s/2)/(1 − s/2), that is 21/19 at s = 1/10, 7 at 3/2 and 399 at 199/100; from s = 2 on both orders grow. With strong \
-            damping explicit Euler bears the larger step (S8.semi-much-better).",
-        argument: "From q = v/ω, where the energy is largest for its value of the invariant v² + ω²q² − hω²qv: at s = 3/2 the largest \
-            energy in 200 steps is less than 7 times the smallest, and the first step leaves 5/32. Explicit Euler multiplies the energy by \
-            1 + s² every step. At s = 2 the powers of the semi-implicit step grow.",
-        controls: &["s = 199/100 in place of 2.", "The two methods exchanged."],
+        correct_statement: r"On the undamped oscillator, for $h\omega < 2$. Bounded is not conserved: the largest over the smallest energy
+            is up to $(1 + s/2)/(1 - s/2)$, that is 21/19 at $s = 1/10$, 7 at 3/2 and 399 at 199/100; from $s = 2$ on both orders grow.
+            With strong damping explicit Euler bears the larger step (S8.semi-much-better).",
+        argument: r"From $q = v/\omega$, where the energy is largest for its value of the invariant $v^2 + \omega^2q^2 - h\omega^2qv$: at
+            $s = 3/2$ the largest energy in 200 steps is less than 7 times the smallest, and the first step leaves 5/32. Explicit Euler
+            multiplies the energy by $1 + s^2$ every step. At $s = 2$ the powers of the semi-implicit step grow.",
+        controls: &[r"$s = 199/100$ in place of 2.", "The two methods exchanged."],
         sources: &["chapter §8, pitfall: semi-implicit and explicit Euler are nearly the same"],
         check: check!(order_of_updates),
     },

@@ -21,15 +21,17 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Measured,
-        correct_statement: "With a constant mass matrix, forces that have a potential, and hω < 2 for the fastest vibration. With M(q), as \
-            in joint coordinates, the step that updates v and then q is not symplectic and its energy can drift; the variant with the \
-            momentum, which is, needs an implicit solve.",
-        argument: "DᵀJD = J exactly for two coupled masses in a cubic potential. One coordinate with M = q², which is a free particle: the \
-            factor of phase volume is 1 − 5x² + 5x⁴ − 2x⁵ with x = h v/q, 0.95048 at x = 1/10; with the momentum, p⁺ = p + h p⁺²/q³, it is \
-            1. A mass on a spring, ω = 1/s, sent across at 2 m/s from r = 1 m, h = 1/100 s: in polar coordinates every energy of the third \
-            turn lies above all of the first, in Cartesian ones the ranges are the same. At hω = 2 the powers of the step grow.",
+        correct_statement: r"With a constant mass matrix, forces that have a potential, and $h\omega < 2$ for the fastest vibration. With
+            $M(q)$, as in joint coordinates, the step that updates $v$ and then $q$ is not symplectic and its energy can drift; the
+            variant with the momentum, which is, needs an implicit solve.",
+        argument: r"$D^TJD = J$ exactly for two coupled masses in a cubic potential. One coordinate with $M = q^2$, which is a free
+            particle: the factor of phase volume is $1 - 5x^2 + 5x^4 - 2x^5$ with $x = h\,v/q$, 0.95048 at $x = 1/10$; with the momentum,
+            $p^+ = p + h\,p^{+2}/q^3$, it is 1. A mass on a spring, $\omega = 1/s$, sent across at 2 m/s from $r = 1$ m, $h = 1/100$ s: in
+            polar coordinates every energy of the third turn lies above all of the first, in Cartesian ones the ranges are the same. At
+            $h\omega = 2$ the powers of the step grow.",
         controls: &[
-            "A constant mass matrix – the unit mass in place of M = q², Cartesian in place of polar coordinates – and hω = 199/100.",
+            r"A constant mass matrix – the unit mass in place of $M = q^2$, Cartesian in place of polar coordinates – and
+                $h\omega = 199/100$.",
             "The position moved with the old velocity or momentum.",
         ],
         sources: &[
@@ -41,19 +43,20 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S8.cirak-west",
-        statement: "Theorem (Cirak and West 2005): an explicit symplectic scheme necessarily loses symplecticity at the moment a contact \
-            becomes active; they prove that every operation that corrects penetration destroys it. (What the section excepts is e = 1 \
+        statement: r"Theorem (Cirak and West 2005): an explicit symplectic scheme necessarily loses symplecticity at the moment a contact
+            becomes active; they prove that every operation that corrects penetration destroys it. (What the section excepts is $e = 1$
             without such a correction.)",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::BrokenTheorem),
         evidence: Evidence::Exact,
-        correct_statement: "Projecting a penetrating state back does (its Jacobian is singular). Neither every correction nor every \
-            activation does: the mirror image of a penetrating state in the wall, position and velocity together, is symplectic for a flat \
-            wall and e = 1, and so is a variational step with an elastic impact. Whether the cited paper states such a theorem is not \
+        correct_statement: r"Projecting a penetrating state back does (its Jacobian is singular). Neither every correction nor every
+            activation does: the mirror image of a penetrating state in the wall, position and velocity together, is symplectic for a flat
+            wall and $e = 1$, and so is a variational step with an elastic impact. Whether the cited paper states such a theorem is not
             decided here; its abstract announces an algorithm with good conservation of momentum and energy.",
-        argument: "Two coupled masses, M = (2, 1; 1, 3), semi-implicit Euler in a cubic potential into the wall and mirrored in the metric \
-            of M: DᵀJD − J = 0 exactly, in a step that penetrates. The projected step has determinant 0. The variational step is S8.kmow.",
+        argument: r"Two coupled masses, $M = (2, 1; 1, 3)$, semi-implicit Euler in a cubic potential into the wall and mirrored in the
+            metric of $M$: $D^TJD - J = 0$ exactly, in a step that penetrates. The projected step has determinant 0. The variational step
+            is S8.kmow.",
         controls: &[
             "Projection in place of the mirror image.",
             "A step of 1/2000 s, which does not reach the wall.",
@@ -64,8 +67,8 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S8.kmow",
-        statement: "Kane, Marsden, Ortiz and West 2000 prove that variational integrators can preserve the symplectic form in elastic \
-            contact (e = 1).",
+        statement: r"Kane, Marsden, Ortiz and West 2000 prove that variational integrators can preserve the symplectic form in elastic
+            contact ($e = 1$).",
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Citation,
         severity: None,
@@ -73,9 +76,9 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "The statement on elastic contact holds, for the variational integrator that makes the time of impact a \
             variable. It is in Fetecau, Marsden, Ortiz and West 2003; the abstract of the paper of 2000 speaks of the Newmark family and \
             of dissipation, and its text was not read.",
-        argument: "Verlet's discrete Lagrangian with an elastic impact in the step, two coordinates, cubic potential, curved wall: DᵀJD − \
-            J = 0 in rationals. The impact is solved exactly at a start for which it is rational; without it the step would end behind the \
-            wall.",
+        argument: r"Verlet's discrete Lagrangian with an elastic impact in the step, two coordinates, cubic potential, curved wall:
+            $D^TJD - J = 0$ in rationals. The impact is solved exactly at a start for which it is rational; without it the step would end
+            behind the wall.",
         controls: &["The same step with its velocity at the end cut to 4/5.", "The body sent the other way, where no wall is."],
         sources: &[
             "chapter §8, the negative result",

@@ -17,42 +17,45 @@ use crate::tolerance::stabilisation::{circle_run, on_constraint};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S9.baumgarte-eq",
-        statement: "Baumgarte stabilisation φ̈ + 2αφ̇ + β²φ = 0 forces the violation φ to decay to zero as a damped oscillation.",
+        statement: r"Baumgarte stabilisation $\ddot\varphi + 2\alpha\dot\varphi + \beta^2\varphi = 0$ forces the violation $\varphi$ to
+            decay to zero as a damped oscillation.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated of the equation with damping and a restoring term, α > 0 and β > 0; it swings if α < β, and \
-            exercise 2 \
-            tells the overdamped case apart. The semi-implicit step of it decays if and only if, besides, 4αh + β²h² < 4: above that the \
-            violation grows.",
-        argument: "Roots −α ± √(α² − β²). From φ̇ = 0 and β = 5/s, φ crosses zero nine times in 10 s for α = 4/s and never in 2 s for α = \
-            6/s, and stays below its envelope. The step has determinant 1 − 2αh and trace 2 − 2αh − β²h²: for 2αh = 1, β²h² = 2 − 10⁻⁶ \
-            decays and 2 does not.",
-        controls: &["The equation without damping, α = 0, in place of α = 4/s.", "The sign of the damping wrong."],
+        correct_statement: r"As stated of the equation with damping and a restoring term, $\alpha > 0$ and $\beta > 0$; it swings if
+            $\alpha < \beta$, and exercise 2 tells the overdamped case apart. The semi-implicit step of it decays if and only if, besides,
+            $4\alpha h + \beta^2h^2 < 4$: above that the violation grows.",
+        argument: r"Roots $-\alpha \pm \sqrt{\alpha^2 - \beta^2}$. From $\dot\varphi = 0$ and $\beta = 5/s$, $\varphi$ crosses zero nine
+            times in 10 s for $\alpha = 4/s$ and never in 2 s for $\alpha = 6/s$, and stays below its envelope. The step has determinant
+            $1 - 2\alpha h$ and trace $2 - 2\alpha h - \beta^2h^2$: for $2\alpha h = 1$, $\beta^2h^2 = 2 - 10^{-6}$ decays
+            and 2 does not.",
+        controls: &[r"The equation without damping, $\alpha = 0$, in place of $\alpha = 4/s$.", "The sign of the damping wrong."],
         sources: &["chapter §9, constraint drift, (1)", "Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1"],
         check: check!(equation),
     },
     Claim {
         id: "S9.baumgarte-tuning",
-        statement: "Critical damping α = β is hard to hit exactly in practice, and that is why Baumgarte is hard to tune.",
+        statement: r"Critical damping $\alpha = \beta$ is hard to hit exactly in practice, and that is why Baumgarte is hard to tune.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Exercise,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "Both numbers are chosen, and φ obeys the equation whatever the masses are, so α = β can be hit exactly. But it \
-            is not critical for the step: α = β(1 − βh/2) is, and 2αh = βh = 1 ends any violation in two steps. Near α = β the rate is \
-            sensitive on one side only: overdamping by 5 % costs 27 % of it, underdamping by 5 % costs 5 %.",
-        argument: "Slow rate over β, integrated, for α/β = 0.95, 1.01, 1.05, 1.1: 0.95, 0.8682, 0.7298, 0.6417. At βh = 1/5 the step with \
-            α = β has trace² − 4 det = 21/625 > 0, overdamped, and with 2αh = 9/25 exactly 0.",
-        controls: &["α = β and α = β(1 − βh/2) exchanged.", "β/α in place of α/β."],
+        correct_statement: r"Both numbers are chosen, and $\varphi$ obeys the equation whatever the masses are, so $\alpha = \beta$ can be
+            hit exactly. But it is not critical for the step: $\alpha = \beta(1 - \beta h/2)$ is, and $2\alpha h = \beta h = 1$ ends any
+            violation in two steps. Near $\alpha = \beta$ the rate is sensitive on one side only: overdamping by 5 % costs 27 % of it,
+            underdamping by 5 % costs 5 %.",
+        argument: r"Slow rate over $\beta$, integrated, for $\alpha/\beta = 0.95$, 1.01, 1.05, 1.1: 0.95, 0.8682, 0.7298, 0.6417. At
+            $\beta h = 1/5$ the step with $\alpha = \beta$ has $\operatorname{trace}^2 - 4$ det $= 21/625 > 0$, overdamped, and with
+            $2\alpha h = 9/25$ exactly 0.",
+        controls: &[r"$\alpha = \beta$ and $\alpha = \beta(1 - \beta h/2)$ exchanged.", r"$\beta/\alpha$ in place of $\alpha/\beta$."],
         sources: &["chapter §9, constraint drift, (1), and exercise 2"],
         check: check!(tuning),
     },
     Claim {
         id: "S9.erp-sim2real",
-        statement: "Bullet's ERP of 0.2 “artificially flattens” the oscillations of a robot's joints, which leads to a gap between \
-            simulation and reality (joints softer than real ones).",
+        statement: r"Bullet's $\mathrm{ERP}$ of 0.2 “artificially flattens” the oscillations of a robot's joints, which leads to a gap
+            between simulation and reality (joints softer than real ones).",
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Assertion,
         severity: None,
@@ -60,9 +63,9 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Of the violation of a joint it is so: the bias lets it decay by 4/5 a step without oscillation. The motion \
             that the joint allows is not flattened: on a circle it keeps the angular momentum exactly, and settles with more energy than \
             projection leaves. How large a gap to a real robot is cannot be decided here.",
-        argument: "Point on a circle, hv/R = 1/100, 10000 steps: bias −0.2 φ/h keeps the angular momentum and E/E₀ = 0.9995 and \
-            stays h²v²/(2·0.2 R) outside; coordinate projection keeps 1/(1 + n h²v²/R²) = 1/2 of the energy. On a linear constraint the \
-            bias leaves (4/5)⁵ of the violation after five steps, and never changes its sign.",
+        argument: r"Point on a circle, $hv/R = 1/100$, 10000 steps: bias $-0.2\,\varphi/h$ keeps the angular momentum and $E/E_0 = 0.9995$
+            and stays $h^2v^2/(2\cdot0.2\,R)$ outside; coordinate projection keeps $1/(1 + n\,h^2v^2/R^2) = 1/2$ of the energy. On a
+            linear constraint the bias leaves $(4/5)^5$ of the violation after five steps, and never changes its sign.",
         controls: &["Projection in place of the bias and the bias in place of projection.", "A bias without damping."],
         sources: &["chapter §9, constraint drift, (1)", "S9.bullet-erp for the value and its decay"],
         check: check!(joint_oscillation),
@@ -74,11 +77,12 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated: two multipliers per constraint in place of one. It is not free of numerical damping: with the \
-            implicit Euler rule a point on a circle keeps 1/(1 + n h²v²/R²) of its energy, exactly what coordinate projection leaves.",
-        argument: "Circle, hv/R = 1/100: after 1000 steps φ and Gv are at rounding and E/E₀ = 1/1.1. The bias has φ = 2.5e-4 R instead, \
-            and no stabilisation |q| = 1.047 R.",
-        controls: &["The bias with ERP = 0.2."],
+        correct_statement: r"As stated: two multipliers per constraint in place of one. It is not free of numerical damping: with the
+            implicit Euler rule a point on a circle keeps $1/(1 + n\,h^2v^2/R^2)$ of its energy, exactly what coordinate projection
+            leaves.",
+        argument: r"Circle, $hv/R = 1/100$: after 1000 steps $\varphi$ and $Gv$ are at rounding and $E/E_0 = 1/1.1$. The bias has
+            $\varphi = \text{2.5e-4}\,R$ instead, and no stabilisation $|q| = 1.047\,R$.",
+        controls: &[r"The bias with $\mathrm{ERP} = 0.2$."],
         sources: &["chapter §9, constraint drift, (2) and table", "Gear, Leimkuhler and Gupta, J. Comput. Appl. Math. 12–13 (1985) 77"],
         check: check!(index_two),
     },
@@ -89,11 +93,12 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Definition,
         severity: None,
         evidence: Evidence::NotDecidable,
-        correct_statement: "Usage differs: Ascher and Petzold's post-stabilisation corrects position and velocity as well. And for a step \
-            that imposes G v⁺ = 0 at its start the two make the same motion: the positions agree, and the velocities differ by the \
+        correct_statement: r"Usage differs: Ascher and Petzold's post-stabilisation corrects position and velocity as well. And for a step
+            that imposes $G\,v^+ = 0$ at its start the two make the same motion: the positions agree, and the velocities differ by the
             projection which the next step makes anyway.",
-        argument: "Pendulum of 1 m from 1.5 rad, h = 1/100 s, 1000 steps: positions agree to rounding, velocities differ by |v| sin Δ with \
-            tan Δ = h|v|/ℓ, up to 0.18 m/s. Reason: v⁺ = P v + h P M⁻¹F and P P v = P v, for forces that depend on q.",
+        argument: r"Pendulum of 1 m from 1.5 rad, $h = 1/100$ s, 1000 steps: positions agree to rounding, velocities differ by $|v|$ sin
+            $\Delta$ with tan $\Delta = h|v|/\ell$, up to 0.18 m/s. Reason: $v^+ = P\,v + h\,P\,M^{-1}F$ and $P\,P\,v = P\,v$, for forces
+            that depend on $q$.",
         controls: &["No stabilisation in place of coordinate projection."],
         sources: &[
             "chapter §9, constraint drift, (3)",
@@ -103,16 +108,18 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S9.ex2",
-        statement: "Exercise 2: find the time constant of φ̈ + 2αφ̇ + β²φ = 0; how does the violation evolve for α < β and for α > β?",
+        statement: r"Exercise 2: find the time constant of $\ddot\varphi + 2\alpha\dot\varphi + \beta^2\varphi = 0$; how does the
+            violation evolve for $\alpha < \beta$ and for $\alpha > \beta$?",
         verdict: ClaimVerdict::True,
         kind: Kind::Exercise,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "α ≤ β: τ = 1/α, for α < β oscillating at √(β² − α²). α > β: two decays without oscillation, the slower with τ \
-            = 1/(α − √(α² − β²)) ≈ 2α/β²: beyond critical, more damping is slower.",
-        argument: "β = 5/s, α = 1, 5, 10, 50/s: τ = 1, 0.2, 0.74641, 3.98997 s. Integrated from a start on the slow solution, each decays \
-            by e⁻¹ in τ.",
-        controls: &["τ = 1/α for α > β.", "The equation with half the β of the formula."],
+        correct_statement: r"$\alpha \le \beta$: $\tau = 1/\alpha$, for $\alpha < \beta$ oscillating at $\sqrt{\beta^2 - \alpha^2}$.
+            $\alpha > \beta$: two decays without oscillation, the slower with $\tau = 1/(\alpha - \sqrt{\alpha^2 - \beta^2}) \approx
+            2\alpha/\beta^2$: beyond critical, more damping is slower.",
+        argument: r"$\beta = 5/s$, $\alpha = 1$, 5, 10, 50/$s$: $\tau = 1$, 0.2, 0.74641, 3.98997 s. Integrated from a start on the slow
+            solution, each decays by $e^{-1}$ in $\tau$.",
+        controls: &[r"$\tau = 1/\alpha$ for $\alpha > \beta$.", r"The equation with half the $\beta$ of the formula."],
         sources: &["chapter §9, exercise 2"],
         check: check!(exercise),
     },

@@ -15,8 +15,8 @@ pub const CLAIMS: &[Claim] = &[Claim {
     evidence: Evidence::Cited,
     correct_statement: "Not found: the documentation of its plant does not know the term, and its contacts are left with the depth that \
         carries the load. Discrete constraints are compliant, near rigid where they should be hard.",
-    argument: "The phrase occurs 0 times in the documentation of 1.51.1's multibody plant (“contact” 1356 times). A ball of 1 kg at rest \
-        under SAP, k = 1e5 N/m, stays at m g/k = 9.81e-5 m below the ground; a projection would end at 0.",
+    argument: r"The phrase occurs 0 times in the documentation of 1.51.1's multibody plant (“contact” 1356 times). A ball of 1 kg at rest
+        under SAP, $k = \text{1e5}$ N/m, stays at $m\,g/k = \text{9.81e-5}$ m below the ground; a projection would end at 0.",
     controls: &["A body that coordinate projection holds against its weight, and the phrase looked up where it stands, in Eich's title."],
     sources: &[
         "chapter §9, constraint drift, (4)",

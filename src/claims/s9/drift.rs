@@ -11,18 +11,19 @@ use crate::tolerance::claims::{lcp::circle_residual, pathology as tolerance};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S9.velocity-legal",
-        statement: "The velocity constraint ∇φᵀv⁺ ≥ 0 only guarantees that the velocity of this step is admissible; the position \
-            constraint φ ≥ 0 drifts as discretisation errors accumulate.",
+        statement: r"The velocity constraint $\nabla\varphi^Tv^+ \ge 0$ only guarantees that the velocity of this step is admissible; the
+            position constraint $\varphi \ge 0$ drifts as discretisation errors accumulate.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated of ∇φᵀv⁺ ≥ 0. Moreau–Jean constrains v⁺ + e v instead: with e > 0 a body that is moving away may \
-            leave the step with an approach velocity down to −e∇φᵀv.",
-        argument: "m = 1, φ = 0, a load that takes 13 m/s² for 1/10 s. With e = 0, v⁺ = max(0, v_free) ≥ 0 whatever v is, from −2 to 2 \
-            m/s. With e = 1/2 and v = 1 m/s, v_free = −3/10 and v_free + e v is positive, so P = 0 and v⁺ = −3/10 < 0. That the position \
-            drifts all the same: a bead in a circle of radius 1 m at 1 m/s is 4.963e-3 m outside after 1 s with h = 1/100 s.",
-        controls: &["The constraint v⁺ + e v ≥ 0 with e = 1/2.", "The position level (Stewart–Trinkle) for the bead."],
+        correct_statement: r"As stated of $\nabla\varphi^Tv^+ \ge 0$. Moreau–Jean constrains $v^+ + e\,v$ instead: with $e > 0$ a body
+            that is moving away may leave the step with an approach velocity down to $-e\nabla\varphi^Tv$.",
+        argument: r"$m = 1$, $\varphi = 0$, a load that takes 13 m/s² for 1/10 s. With $e = 0$, $v^+ = \max(0, v_\text{free}) \ge 0$
+            whatever $v$ is, from −2 to 2 m/s. With $e = 1/2$ and $v = 1$ m/s, $v_\text{free} = -3/10$ and $v_\text{free} + e\,v$ is
+            positive, so $P = 0$ and $v^+ = -3/10 < 0$. That the position drifts all the same: a bead in a circle of radius 1 m at 1 m/s
+            is 4.963e-3 m outside after 1 s with $h = 1/100$ s.",
+        controls: &[r"The constraint $v^+ + e\,v \ge 0$ with $e = 1/2$.", "The position level (Stewart–Trinkle) for the bead."],
         sources: &["chapter §9, why stabilisation is needed", "chapter §3, the scheme"],
         check: check!(admissible_velocity),
     },
@@ -34,12 +35,12 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "On a flat floor with a converged solver a resting body does not move at all. It drifts along curved \
-            constraints, by h v²κ/2 per second, and if the solver is stopped early, by a constant speed proportional to h.",
-        argument: "Ball at rest, 1000 steps: displacement exactly 0 for θ = 1/2 and 1. Bead in a circle of radius 1 m at 1 m/s: |q_n|⁴ \
-            lies between 1 + 2nh² and 1 + 2nh² + nh⁴, so after 1 s with h = 1/100 it is 4.963e-3 m outside. Tower of five equal bodies, \
-            h = 1/100, 10 cold sweeps of projected Gauss–Seidel per step: the top sinks 0.059 m in 1 s, as the linear recursion u⁺ = \
-            G¹⁰(u + u_g) predicts; converged it moves by no more than the solver leaves.",
+        correct_statement: r"On a flat floor with a converged solver a resting body does not move at all. It drifts along curved
+            constraints, by $h\,v^2\kappa/2$ per second, and if the solver is stopped early, by a constant speed proportional to $h$.",
+        argument: r"Ball at rest, 1000 steps: displacement exactly 0 for $\theta = 1/2$ and 1. Bead in a circle of radius 1 m at 1 m/s:
+            $|q_n|^4$ lies between $1 + 2nh^2$ and $1 + 2nh^2 + nh^4$, so after 1 s with $h = 1/100$ it is 4.963e-3 m outside. Tower of
+            five equal bodies, $h = 1/100$, 10 cold sweeps of projected Gauss–Seidel per step: the top sinks 0.059 m in 1 s, as the linear
+            recursion $u^+ = G^{10}(u + u_g)$ predicts; converged it moves by no more than the solver leaves.",
         controls: &[
             "The tower with 10 sweeps a step in place of the converged one.",
             "A converged solver in place of 10 sweeps, and the position level (Stewart–Trinkle) for the bead.",
@@ -49,16 +50,17 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S9.ST-residual",
-        statement: "Even Stewart–Trinkle's linearised position constraint φ + h∇φᵀv⁺ ≥ 0 holds only up to the linearisation: a residual \
-            penetration of O(h²).",
+        statement: r"Even Stewart–Trinkle's linearised position constraint $\varphi + h\nabla\varphi^Tv^+ \ge 0$ holds only up to the
+            linearisation: a residual penetration of $O(h^2)$.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated: a residual of at most ½h²v²/R where φ is concave along the motion (inside a circle), without \
-            accumulation; none where φ is convex (outside one) or linear.",
-        argument: "Inside the unit circle |q| + h q̂·v⁺ ≤ 1 gives |q⁺| ≤ √(1 + h²v²) whatever happened before: the deepest penetration \
-            over 100 steps is √(1 + h²) − 1, that is ½h², for h = 0.02, 0.01 and 0.005 s. For convex φ: φ(q⁺) ≥ φ(q) + ∇φᵀ(q⁺ − q) ≥ 0.",
+        correct_statement: r"As stated: a residual of at most $\tfrac12h^2v^2/R$ where $\varphi$ is concave along the motion (inside a
+            circle), without accumulation; none where $\varphi$ is convex (outside one) or linear.",
+        argument: r"Inside the unit circle $|q| + h\,\hat q\cdot v^+ \le 1$ gives $|q^+| \le \sqrt{1 + h^2v^2}$ whatever happened before:
+            the deepest penetration over 100 steps is $\sqrt{1 + h^2} - 1$, that is $\tfrac12h^2$, for $h = 0.02$, 0.01 and 0.005 s. For
+            convex $\varphi$: $\varphi(q^+) \ge \varphi(q) + \nabla\varphi^T(q^+ - q) \ge 0$.",
         controls: &["Moreau–Jean, whose penetration accumulates."],
         sources: &["chapter §9, why stabilisation is needed"],
         check: check!(linearisation_residual),

@@ -18,17 +18,16 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Advice,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "The two causes inject, and a semi-implicit scheme cures the first. Projection cures the second on a joint and \
-            without load; a contact under load it lifts, m g δ (S9.projection-energy). Besides these usual causes: Newton's e on the \
-            normal \
-            component with Coulomb friction, impulses of the step before that too few sweeps have not corrected, and a contact too stiff \
-            for its step (S9.jitter).",
-        argument: "Explicit Euler on a spring with hω = 1/10: 101/100 per step; semi-implicit Euler stays below 1/0.95 of its start. \
-            Baumgarte: 9/125000 J for 1 mm (S9.baumgarte-inject). Projection: 81/80. Neither explicit nor Baumgarte: the rod with W = (5, \
-            −3; −3, 5)/2, u⁻ = (−1, 3/5), μ = 1, e = 1 gains 9/80 J; \
-            a tower of three whose load is taken away, one warm-started sweep: 11/16 (g h)² J out of rest.",
+        correct_statement: r"The two causes inject, and a semi-implicit scheme cures the first. Projection cures the second on a joint and
+            without load; a contact under load it lifts, $m\,g\,\delta$ (S9.projection-energy). Besides these usual causes: Newton's $e$
+            on the normal component with Coulomb friction, impulses of the step before that too few sweeps have not corrected, and a
+            contact too stiff for its step (S9.jitter).",
+        argument: r"Explicit Euler on a spring with $h\omega = 1/10$: 101/100 per step; semi-implicit Euler stays below 1/0.95 of its
+            start. Baumgarte: 9/125000 J for 1 mm (S9.baumgarte-inject). Projection: 81/80. Neither explicit nor Baumgarte: the rod with
+            $W = (5, -3; -3, 5)/2$, $u^- = (-1, 3/5)$, $\mu = 1$, $e = 1$ gains 9/80 J; a tower of three whose load is taken away, one
+            warm-started sweep: $11/16\,(g\,h)^2\,J$ out of rest.",
         controls: &[
-            "The activation φ + h v_free ≤ 0, under which the ball is never projected.",
+            r"The activation $\varphi + h\,v_\text{free} \le 0$, under which the ball is never projected.",
             "The causes and the cures exchanged: explicit and semi-implicit, Baumgarte and projection.",
         ],
         sources: &["chapter §9, energy drift", "Kane and Levinson 1985; Stronge 1991 for energy gain with friction"],
@@ -36,20 +35,21 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S9.energy-down",
-        statement: "Too much loss of energy comes from θ = 1 or large numerical damping: use θ = 1/2, reduce the damping.",
+        statement: r"Too much loss of energy comes from $\theta = 1$ or large numerical damping: use $\theta = 1/2$, reduce the damping.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Advice,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "True of forces that depend on the state (springs): E⁺/E = 1/(1 + h²ω²) at θ = 1 and 1 at θ = 1/2. Under \
-            gravity and on a hard floor θ has no effect in the long run: E − (θ−½) m g h v is conserved, and an impact keeps e² of the \
-            kinetic energy, for every θ.",
-        argument: "Spring, hω = 1/10: 100/101 per step at θ = 1, 1 at θ = 1/2. Elastic ball from 1 m, h = 1/100 s, 2000 steps with θ = 1: \
-            (E − ½ g h v)/E₀ = 1 exactly. Ball with e = 1/2: the first impact keeps 1/4 of ½v² with θ = 1 and with θ = 1/2. On a soft \
-            floor, hω = 1/5, less is left of both at θ = 1.",
+        correct_statement: r"True of forces that depend on the state (springs): $E^+/E = 1/(1 + h^2\omega^2)$ at $\theta = 1$ and 1 at
+            $\theta = 1/2$. Under gravity and on a hard floor $\theta$ has no effect in the long run:
+            $E - (\theta - \tfrac12)\,m\,g\,h\,v$ is conserved, and an impact keeps $e^2$ of the kinetic energy, for every $\theta$.",
+        argument: r"Spring, $h\omega = 1/10$: 100/101 per step at $\theta = 1$, 1 at $\theta = 1/2$. Elastic ball from 1 m, $h = 1/100$ s,
+            2000 steps with $\theta = 1$: $(E - \tfrac12\,g\,h\,v)/E_0 = 1$ exactly. Ball with $e = 1/2$: the first impact keeps 1/4 of
+            $\tfrac12v^2$ with $\theta = 1$ and with $\theta = 1/2$. On a soft floor, $h\omega = 1/5$, less is left of both at
+            $\theta = 1$.",
         controls: &[
             "A soft floor, whose force depends on the state, in place of the hard one.",
-            "θ = 1/2 and θ = 1 exchanged on the spring.",
+            r"$\theta = 1/2$ and $\theta = 1$ exchanged on the spring.",
         ],
         sources: &["chapter §9, energy drift", "S3.energy-runs-down"],
         check: check!(causes_of_loss),

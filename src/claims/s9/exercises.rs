@@ -20,13 +20,13 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Exercise,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "On a flat table none of the three keeps sinking if the step is solved: Moreau–Jean stands still, MuJoCo stays \
-            at its static depth, Stewart–Trinkle has no residual. Continued sinking means a solver stopped early under a velocity-level \
-            scheme; φ/h turns the same error into a static depth h times smaller. The cure is more sweeps or a warm start; projection \
-            would hide it.",
-        argument: "Tower of five, h = 1/100 s, 10 cold sweeps a step: Moreau–Jean sinks at the constant speed u = G¹⁰(u + u_g), 0.060 m/s \
-            at the top; Stewart–Trinkle stays at h times that, 6.0e-4 m, after 2 s as after 1 s. Solved steps: 0. MuJoCo's ball: the same \
-            depth after 300 steps as after 600.",
+        correct_statement: r"On a flat table none of the three keeps sinking if the step is solved: Moreau–Jean stands still, MuJoCo stays
+            at its static depth, Stewart–Trinkle has no residual. Continued sinking means a solver stopped early under a velocity-level
+            scheme; $\varphi/h$ turns the same error into a static depth $h$ times smaller. The cure is more sweeps or a warm start;
+            projection would hide it.",
+        argument: r"Tower of five, $h = 1/100$ s, 10 cold sweeps a step: Moreau–Jean sinks at the constant speed $u = G^{10}(u + u_g)$,
+            0.060 m/s at the top; Stewart–Trinkle stays at $h$ times that, 6.0e-4 m, after 2 s as after 1 s. Solved steps: 0. MuJoCo's
+            ball: the same depth after 300 steps as after 600.",
         controls: &[
             "Towers on the velocity level, both with 10 sweeps a step, and a ball on a contact with a time constant of 10 s.",
             "Moreau–Jean's tower solved.",
@@ -36,21 +36,22 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S9.ex3",
-        statement: "Exercise 3: a gripper trembles. Check in this order: (a) is the integrator at least semi-implicit, (b) is θ or the \
-            numerical damping large enough, (c) has the solver converged, (d) do step and stiffness match; say which indicator shows each.",
+        statement: r"Exercise 3: a gripper trembles. Check in this order: (a) is the integrator at least semi-implicit, (b) is $\theta$ or
+            the numerical damping large enough, (c) has the solver converged, (d) do step and stiffness match; say which indicator shows
+            each.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Exercise,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "Four switches with four indicators: (a) energy per step, (b) energy of springs – nothing on rigid contacts \
-            under a constant load –, (c) the approach velocity left, (d) speed at rest against h/t_c.",
-        argument: "(a) spring, hω = 1/10: 101/100 per explicit step; the semi-implicit one keeps v² + q² − h q v, so E/E₀ ≤ 1/0.95. \
-            (b) θ = 1 takes 1/101 of a spring's energy, θ = 1/2 nothing; a tower's velocities do not change. (c) tower of ten: 200 more \
-            sweeps multiply what is left by 0.00705, the largest factor of a sweep to the power of 200. (d) t_c = h: thrown up; t_c = \
-            1.5h: calm.",
+        correct_statement: r"Four switches with four indicators: (a) energy per step, (b) energy of springs – nothing on rigid contacts
+            under a constant load –, (c) the approach velocity left, (d) speed at rest against $h/t_c$.",
+        argument: r"(a) spring, $h\omega = 1/10$: 101/100 per explicit step; the semi-implicit one keeps $v^2 + q^2 - h\,q\,v$, so
+            $E/E_0 \le 1/0.95$. (b) $\theta = 1$ takes 1/101 of a spring's energy, $\theta = 1/2$ nothing; a tower's velocities do not
+            change. (c) tower of ten: 200 more sweeps multiply what is left by 0.00705, the largest factor of a sweep to the power of 200.
+            (d) $t_c = h$: thrown up; $t_c = 1.5h$: calm.",
         controls: &[
             "Switch (b) on a tower whose bodies hang on springs as well.",
-            "Every switch the other way: explicit and semi-implicit exchanged, θ = 1/2, 300 sweeps, t_c exchanged.",
+            r"Every switch the other way: explicit and semi-implicit exchanged, $\theta = 1/2$, 300 sweeps, $t_c$ exchanged.",
         ],
         sources: &["chapter §9, exercise 3"],
         check: check!(four_switches),

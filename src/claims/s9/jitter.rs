@@ -22,13 +22,13 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated, of both measures together: the depth at rest is that of the soft law, independent of h, and a \
-            smaller \
-            step helps by allowing a stiffer contact, because MuJoCo keeps t_c ≥ 2h; above h = t_c/2 the depth grows with h².",
-        argument: "Replay of MuJoCo's contact with default parameters, 1 kg laid on the floor: 3.6718e-4 m at h = 0.0005, 0.005 and 0.01 \
-            s, 6.0156e-4 m at 0.015 s, 8.3329e-4 m at 0.02 s, where t_c = 2h is larger than its default. With t_c = 2h at h = 0.001 s: \
-            4.3720e-6 m. A bead in a circle under Moreau–Jean leaves it by 4.963e-3 m in 1 s with h = 0.01 s, and with coordinate \
-            projection not at all.",
+        correct_statement: r"As stated, of both measures together: the depth at rest is that of the soft law, independent of $h$, and a
+            smaller step helps by allowing a stiffer contact, because MuJoCo keeps $t_c \ge 2h$; above $h = t_c/2$ the depth grows with
+            $h^2$.",
+        argument: r"Replay of MuJoCo's contact with default parameters, 1 kg laid on the floor: 3.6718e-4 m at $h = 0.0005$, 0.005 and
+            0.01 s, 6.0156e-4 m at 0.015 s, 8.3329e-4 m at 0.02 s, where $t_c = 2h$ is larger than its default. With $t_c = 2h$ at
+            $h = 0.001$ s: 4.3720e-6 m. A bead in a circle under Moreau–Jean leaves it by 4.963e-3 m in 1 s with $h = 0.01$ s, and with
+            coordinate projection not at all.",
         controls: &[
             "The smaller step alone, with the default stiffness.",
             "A time constant of 0.05 s in place of the default.",
@@ -42,42 +42,43 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S9.jitter",
-        statement: "Jitter of a stack at rest is almost always a numerical artefact: contact forces switch between pressing and releasing \
-            because the step is too large, the stiffness too high or the solver not converged. Cure: more iterations, more numerical \
-            damping (θ → 1), smaller steps, warm start.",
+        statement: r"Jitter of a stack at rest is almost always a numerical artefact: contact forces switch between pressing and releasing
+            because the step is too large, the stiffness too high or the solver not converged. Cure: more iterations, more numerical
+            damping ($\theta \to 1$), smaller steps, warm start.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "Step and stiffness are one cause, h/t_c: a critically damped contact of constant impedance cannot rest for \
-            h/t_c > 2√2 − 2 = 0.83 (a little more with MuJoCo's default impedance, which is lower at small depths), and MuJoCo's limit t_c \
-            ≥ 2h keeps it away from there. A solver stopped early switches nothing under a velocity-level scheme: it lets a stack sink \
-            steadily (S9.velocity-drift). θ → 1 has no effect on rigid contacts under a constant load (S9.theta-damps-jitter). \
-            How often jitter is numerical is not decided here.",
-        argument: "Ball dropped from 1 mm on MuJoCo's contact at h = 1 ms, constant impedance: calm (speed 0 to rounding) for t_c = 2h and \
-            1.5h; for t_c = 1.2h and 1h it is thrown up again and again, faster than g h. With the limit, t_c = 1h is calm. \
-                   Tower of five, 10 cold sweeps a step: the velocities of successive steps are equal to rounding, with θ = 1/2 \
-            and θ = 1 bit for bit.",
+        correct_statement: r"Step and stiffness are one cause, $h/t_c$: a critically damped contact of constant impedance cannot rest for
+            $h/t_c > 2\sqrt2 - 2 = 0.83$ (a little more with MuJoCo's default impedance, which is lower at small depths), and MuJoCo's
+            limit $t_c \ge 2h$ keeps it away from there. A solver stopped early switches nothing under a velocity-level scheme: it lets a
+            stack sink steadily (S9.velocity-drift). $\theta \to 1$ has no effect on rigid contacts under a constant load
+            (S9.theta-damps-jitter). How often jitter is numerical is not decided here.",
+        argument: r"Ball dropped from 1 mm on MuJoCo's contact at $h = 1$ ms, constant impedance: calm (speed 0 to rounding) for
+            $t_c = 2h$ and $1.5h$; for $t_c = 1.2h$ and $1h$ it is thrown up again and again, faster than $g\,h$. With the limit,
+            $t_c = 1h$ is calm. Tower of five, 10 cold sweeps a step: the velocities of successive steps are equal to rounding, with
+            $\theta = 1/2$ and $\theta = 1$ bit for bit.",
         controls: &[
-            "The same contacts under MuJoCo's limit t_c ≥ 2h.",
-            "The contacts that are calm made stiffer, t_c = 1.2h, without that limit.",
-            "Bodies of the tower that hang on springs as well: there θ matters.",
+            r"The same contacts under MuJoCo's limit $t_c \ge 2h$.",
+            r"The contacts that are calm made stiffer, $t_c = 1.2h$, without that limit.",
+            r"Bodies of the tower that hang on springs as well: there $\theta$ matters.",
         ],
         sources: &["chapter §9, energy drift and jitter, and the pitfall “jitter is physical”", "MuJoCo documentation, refsafe"],
         check: check!(jitter),
     },
     Claim {
         id: "S9.theta-damps-jitter",
-        statement: "Against jitter: increase the numerical damping moderately, θ → 1.",
+        statement: r"Against jitter: increase the numerical damping moderately, $\theta \to 1$.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Advice,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Measured,
-        correct_statement: "It damps what a spring stores: E⁺/E = 1/(1 + h²ω²) at θ = 1. On rigid contacts under a constant load it does \
-            nothing: θ multiplies state-dependent forces and the position update, and neither enters the contact problem.",
-        argument: "Tower of five, 10 cold sweeps a step, 100 steps with θ = 1/2 and with θ = 1: all velocities are the same bit for bit. A \
-            spring with hω = 1/10 loses 1/101 of its energy per step at θ = 1 and none at θ = 1/2.",
-        controls: &["Bodies of the tower that hang on springs as well.", "θ = 1/2 and θ = 1 exchanged on the spring."],
+        correct_statement: r"It damps what a spring stores: $E^+/E = 1/(1 + h^2\omega^2)$ at $\theta = 1$. On rigid contacts under a
+            constant load it does nothing: $\theta$ multiplies state-dependent forces and the position update, and neither enters the
+            contact problem.",
+        argument: r"Tower of five, 10 cold sweeps a step, 100 steps with $\theta = 1/2$ and with $\theta = 1$: all velocities are the same
+            bit for bit. A spring with $h\omega = 1/10$ loses 1/101 of its energy per step at $\theta = 1$ and none at $\theta = 1/2$.",
+        controls: &["Bodies of the tower that hang on springs as well.", r"$\theta = 1/2$ and $\theta = 1$ exchanged on the spring."],
         sources: &["chapter §9, energy drift and jitter"],
         check: check!(damping),
     },

@@ -15,16 +15,16 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Path,
         severity: Some(Severity::Misprint),
         evidence: Evidence::Cited,
-        correct_statement: "The class is MoreauJeanCombinedProjectionOSI. It injects no energy but takes it: the step of an impact ends on \
-            φ = 0 from whatever height q it started, and an elastic ball loses m g q each time. And it moves bodies along H_nᵀ, not along \
-            M⁻¹H_nᵀ: the nearest place in the coordinates, not in the kinetic metric.",
-        argument: "Siconos 4.4.0 has no class of the printed name. Elastic ball from 1 m, θ = 1/2: after 500 steps E/E₀ = 0.8778, \
-            less by exactly Σ m g q over the steps that were projected. Masses 1, 2, 4 kg in a row: the moves by the projection add up to \
-            zero; times the masses they are −1/300 kg·m, so that the centre of mass moves.",
+        correct_statement: r"The class is MoreauJeanCombinedProjectionOSI. It injects no energy but takes it: the step of an impact ends
+            on $\varphi = 0$ from whatever height $q$ it started, and an elastic ball loses $m\,g\,q$ each time. And it moves bodies along
+            $H_n^T$, not along $M^{-1}H_n^T$: the nearest place in the coordinates, not in the kinetic metric.",
+        argument: r"Siconos 4.4.0 has no class of the printed name. Elastic ball from 1 m, $\theta = 1/2$: after 500 steps
+            $E/E_0 = 0.8778$, less by exactly $\sum\,m\,g\,q$ over the steps that were projected. Masses 1, 2, 4 kg in a row: the moves by
+            the projection add up to zero; times the masses they are −1/300 kg·m, so that the centre of mass moves.",
         controls: &[
             "The name of the class that is there.",
-            "The run of the ball without projection, and the balls moved along M⁻¹H_nᵀ, computed from the same step, which leaves their \
-                centre of mass.",
+            r"The run of the ball without projection, and the balls moved along $M^{-1}H_n^T$, computed from the same step, which leaves
+                their centre of mass.",
         ],
         sources: &[
             "chapter §9, constraint drift, (3)",
@@ -45,11 +45,11 @@ pub const CLAIMS: &[Claim] = &[
             event-capturing schemes with contact and friction; the higher-order event-capturing schemes are Acary, Appl. Numer. Math. 62 \
             (2012) 1259. Brüls, Acary and Cardona, CMAME 281 (2014) 131, is on enforcing constraints at position and velocity level at \
             once. The papers were not read. The damping claimed for generalised-α is true.",
-        argument: "Volume, pages and title of Acary 2013 stand in Siconos's headers. Generalised-α with α_m = (2ρ−1)/(ρ+1), α_f = ρ/(ρ+1) \
-            has for an infinitely stiff spring the characteristic polynomial (x + ρ)³, exactly, for ρ = 0, 1/4, 1/2, 3/4; HHT is the same \
-            rule with α_m = 0.",
+        argument: r"Volume, pages and title of Acary 2013 stand in Siconos's headers. Generalised-α with
+            $\alpha_m = (2\rho - 1)/(\rho + 1)$, $\alpha_f = \rho/(\rho + 1)$ has for an infinitely stiff spring the characteristic
+            polynomial $(x + \rho)^3$, exactly, for $\rho = 0$, 1/4, 1/2, 3/4; HHT is the same rule with $\alpha_m = 0$.",
         controls: &[
-            "The trapezoidal rule, whose polynomial is that of ρ = 1.",
+            r"The trapezoidal rule, whose polynomial is that of $\rho = 1$.",
             "Volume 265, schemes that are event-driven, and a word of \
             the title in place of Runge's name.",
         ],

@@ -13,36 +13,42 @@ use crate::tolerance::rounding;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S9.baumgarte-inject",
-        statement: "Baumgarte stabilisation: (α, β) are very hard to tune; too small, the drift is corrected slowly, too large, artificial \
-            energy is injected into the system (or it is overdamped).",
+        statement: r"Baumgarte stabilisation: $(\alpha, \beta)$ are very hard to tune; too small, the drift is corrected slowly, too
+            large, artificial energy is injected into the system (or it is overdamped).",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated, of a contact: as a velocity bias v⁺ = −ERP φ/h it leaves (1 − ERP)φ and injects T = ½m(ERP \
-            δ/h)², so \
-            that no value is free of both; on a joint it injects nothing (S9.erp-sim2real).",
-        argument: "1 kg, 1 mm deep, h = 1/60 s, ERP = 1/5, no load: v⁺ = 0.012 m/s, T = 9/125000 = 7.2e-5 J; twice the ERP gives four \
-            times that. The body leaves for good: after 2 s it is 23 mm above the floor. ERP = 1/100 leaves (99/100)⁵ of the depth after \
-            five steps, and α = 2β is slower than α = β.",
-        controls: &["Projection of the position, which leaves the velocity alone.", "α = β/2 in the place of α = 2β."],
+        correct_statement: r"As stated, of a contact: as a velocity bias $v^+ = -\mathrm{ERP}\,\varphi/h$ it leaves
+            $(1 - \mathrm{ERP})\varphi$ and injects $T = \tfrac12m(\mathrm{ERP}\,\delta/h)^2$, so that no value is free of both; on a
+            joint it injects nothing (S9.erp-sim2real).",
+        argument: r"1 kg, 1 mm deep, $h = 1/60$ s, $\mathrm{ERP} = 1/5$, no load: $v^+ = 0.012$ m/s, $T = 9/125000 = \text{7.2e-5}$ J;
+            twice the $\mathrm{ERP}$ gives four times that. The body leaves for good: after 2 s it is 23 mm above the floor.
+            $\mathrm{ERP} = 1/100$ leaves $(99/100)^5$ of the depth after five steps, and $\alpha = 2\beta$ is slower than
+            $\alpha = \beta$.",
+        controls: &[
+            "Projection of the position, which leaves the velocity alone.",
+            r"$\alpha = \beta/2$ in the place of $\alpha = 2\beta$.",
+        ],
         sources: &["chapter §9, constraint drift, (1); pitfall “Baumgarte solves every drift”", "Baumgarte 1972"],
         check: check!(injection),
     },
     Claim {
         id: "S9.bullet-erp",
-        statement: "Bullet's default ERP (error reduction parameter) = 0.2 is in essence Baumgarte stabilisation.",
+        statement: r"Bullet's default $\mathrm{ERP}$ (error reduction parameter) $= 0.2$ is in essence Baumgarte stabilisation.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Cited,
-        correct_statement: "As stated: it is the semi-implicit Baumgarte step with 2αh = 1 and β²h² = ERP, constants that follow the step: \
-            under load φ⁺ = (1 − ERP)φ, a first-order decay by 4/5 per step whatever h is (time constant 4.48 steps).",
-        argument: "PyBullet 3.2.7's btContactSolverInfo.h sets m_erp2 = 0.2. φ̇⁺ = φ̇ − h(2αφ̇ + β²φ) with 2αh = 1, β²h² = 1/5 is φ̇⁺ = \
-            −φ/(5h). Five loaded steps of 1/240 s: φ₅/φ₀ = (4/5)⁵ for both. The (α, β) that fit 1/60 s leave 79/80 of the error in the \
-            first step of 1/240 s.",
+        correct_statement: r"As stated: it is the semi-implicit Baumgarte step with $2\alpha h = 1$ and $\beta^2h^2 = \mathrm{ERP}$,
+            constants that follow the step: under load $\varphi^+ = (1 - \mathrm{ERP})\varphi$, a first-order decay by 4/5 per step
+            whatever $h$ is (time constant 4.48 steps).",
+        argument: r"PyBullet 3.2.7's btContactSolverInfo.h sets $m_{erp2} = 0.2$.
+            $\dot\varphi^+ = \dot\varphi - h(2\alpha\dot\varphi + \beta^2\varphi)$ with $2\alpha h = 1$, $\beta^2h^2 = 1/5$ is
+            $\dot\varphi^+ = -\varphi/(5h)$. Five loaded steps of 1/240 s: $\varphi_5/\varphi_0 = (4/5)^5$ for both. The $(\alpha, \beta)$
+            that fit 1/60 s leave 79/80 of the error in the first step of 1/240 s.",
         controls: &[
-            "The constants (α, β) that fit h = 1/60 s, used at h = 1/240 s.",
+            r"The constants $(\alpha, \beta)$ that fit $h = 1/60$ s, used at $h = 1/240$ s.",
             "The value that PyBullet's server gives m_erp2, 0.08.",
         ],
         sources: &[
@@ -58,20 +64,20 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "On a joint, from which it takes energy, and on a contact without load. On a contact under load projection \
-            leaves \
-            the kinetic energy alone but lifts the body, ΔE = m g δ. How often depends on the activation rule (with the forecast φ + h \
-            v_free ≤ 0 never) and on the start: a ball dropped from rest comes back to exactly φ = 0 after its first projection, so that \
-            rounding decides; thrown, it is projected at every impact.",
-        argument: "Elastic ball (e = 1) from 1 m, g = 10 m/s², h = 1/100 s, θ = 1/2, 20 s: in rationals with the rules φ ≤ 0 and φ + ½hv ≤ \
-            0 there is one projection and E/E₀ = 81/80, all of it m g δ; from then on every landing is exactly at φ = 0. In double \
-            precision those landings fall on either side of zero and the ball is projected again and again: E/E₀ = 1.152. Thrown upwards \
-            with 3/100 m/s, no landing is at φ = 0 and E/E₀ = 305809/200009 = 1.529 in rationals, 20 projections under φ ≤ 0 and none \
-            under the other two rules. Without projection, and with φ + h v_free ≤ 0: 1. A pendulum with coordinate projection, from 1.5 \
-            rad, never has more energy than at its start.",
+        correct_statement: r"On a joint, from which it takes energy, and on a contact without load. On a contact under load projection
+            leaves the kinetic energy alone but lifts the body, $\Delta E = m\,g\,\delta$. How often depends on the activation rule (with
+            the forecast $\varphi + h\,v_\text{free} \le 0$ never) and on the start: a ball dropped from rest comes back to exactly
+            $\varphi = 0$ after its first projection, so that rounding decides; thrown, it is projected at every impact.",
+        argument: r"Elastic ball ($e = 1$) from 1 m, $g = 10$ m/s², $h = 1/100$ s, $\theta = 1/2$, 20 s: in rationals with the rules
+            $\varphi \le 0$ and $\varphi + \tfrac12hv \le 0$ there is one projection and $E/E_0 = 81/80$, all of it $m\,g\,\delta$; from
+            then on every landing is exactly at $\varphi = 0$. In double precision those landings fall on either side of zero and the ball
+            is projected again and again: $E/E_0 = 1.152$. Thrown upwards with 3/100 m/s, no landing is at $\varphi = 0$ and
+            $E/E_0 = 305809/200009 = 1.529$ in rationals, 20 projections under $\varphi \le 0$ and none under the other two rules. Without
+            projection, and with $\varphi + h\,v_\text{free} \le 0$: 1. A pendulum with coordinate projection, from 1.5 rad, never has
+            more energy than at its start.",
         controls: &[
-            "The activation φ + h v_free ≤ 0, under which the ball is never projected.",
-            "A ball with e = 1/2, a full velocity bias in place of the projection without load, a bias too strong for its step on the \
+            r"The activation $\varphi + h\,v_\text{free} \le 0$, under which the ball is never projected.",
+            r"A ball with $e = 1/2$, a full velocity bias in place of the projection without load, a bias too strong for its step on the
                 pendulum.",
         ],
         sources: &["chapter §9, constraint drift, (3) and table of stabilisations"],
@@ -85,11 +91,11 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "On a contact without load. Under load both pay the lift m g δ (S9.projection-energy), and Baumgarte pays \
-            ½m(ERP \
-            δ/h)² of kinetic energy on top; on a joint it is projection that takes energy, and Baumgarte hardly any (S9.erp-sim2real).",
-        argument: "1 kg, 1 mm deep, g = 10 m/s², h = 1/60 s: projection adds 0 J of kinetic and 1/100 J of potential energy, a full bias \
-            (ERP = 1) 9/5000 J and the same 1/100 J. Without load: 0 J and 9/5000 J.",
+        correct_statement: r"On a contact without load. Under load both pay the lift $m\,g\,\delta$ (S9.projection-energy), and Baumgarte
+            pays $\tfrac12m(\mathrm{ERP}\,\delta/h)^2$ of kinetic energy on top; on a joint it is projection that takes energy, and
+            Baumgarte hardly any (S9.erp-sim2real).",
+        argument: r"1 kg, 1 mm deep, $g = 10$ m/s², $h = 1/60$ s: projection adds 0 J of kinetic and 1/100 J of potential energy, a full
+            bias ($\mathrm{ERP} = 1$) 9/5000 J and the same 1/100 J. Without load: 0 J and 9/5000 J.",
         controls: &["Projection and bias without load.", "Projection and bias exchanged."],
         sources: &["chapter §9, essential insight"],
         check: check!(comparison),

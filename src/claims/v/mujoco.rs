@@ -20,9 +20,9 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Cited,
         correct_statement: "The version is a matter of date: 3.x is what this repository pins (3.17.0), 4.0.0 appeared in November 2026. \
             The step that MJX differentiates has a derivative where no contact touches or lets go within it (S6.mjx-gradients).",
-        argument: "The pinned package calls itself 3.17.0. Of 4.0.0 only the package index was consulted, in November 2026. MJX \
-            itself was not run: the step is that of MuJoCo's default contact, h = 2 ms, whose velocity after a step jumps where a ball \
-            touches and not where it is 1 mm deep.",
+        argument: r"The pinned package calls itself 3.17.0. Of 4.0.0 only the package index was consulted, in November 2026. MJX itself
+            was not run: the step is that of MuJoCo's default contact, $h = 2$ ms, whose velocity after a step jumps where a ball touches
+            and not where it is 1 mm deep.",
         controls: &[
             "A ball without weight that rests at touch, where nothing jumps.",
             "A ball at touch in place of one 1 mm deep.",
@@ -33,20 +33,20 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "V.defaults",
-        statement: "MuJoCo's defaults: solref (0.02, 1), solimp (0.9, 0.95, 0.001, 0.5, 2), Newton, semi-implicit Euler. Empirical bounds \
-            of stability: timeconst ≥ 2h, h ≤ 2/ω₀ = 2√(m/k).",
+        statement: r"MuJoCo's defaults: solref $(0.02, 1)$, solimp $(0.9, 0.95, 0.001, 0.5, 2)$, Newton, semi-implicit Euler. Empirical
+            bounds of stability: timeconst $\ge 2h$, $h \le 2/\omega_0 = 2\sqrt{m/k}$.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Cited,
-        correct_statement: "The defaults are right. The bound on h is that of the undamped spring; with an explicit damper c it is h²k + \
-            2hc ≤ 4m, and smaller.",
-        argument: "Asked of the pinned release. A semi-implicit step on k = m = 1 at h = 3/2 < 2, decided in rationals: stable without \
-            damper, and not with c = 1, where 1 + trace + det = −5/4 < 0: an eigenvalue below −1.",
+        correct_statement: r"The defaults are right. The bound on $h$ is that of the undamped spring; with an explicit damper $c$ it is
+            $h^2k + 2hc \le 4m$, and smaller.",
+        argument: r"Asked of the pinned release. A semi-implicit step on $k = m = 1$ at $h = 3/2 < 2$, decided in rationals: stable
+            without damper, and not with $c = 1$, where 1 + trace + det $= -5/4 < 0$: an eigenvalue below −1.",
         controls: &[
-            "c = 0.",
-            "h = 5/2, beyond the bound.",
-            "Other names asked for (solref and solimp exchanged, CG, RK4), and a time constant above 2h.",
+            r"$c = 0$.",
+            r"$h = 5/2$, beyond the bound.",
+            r"Other names asked for (solref and solimp exchanged, CG, RK4), and a time constant above $2h$.",
         ],
         sources: &["chapter, table of defaults", STORED],
         check: check!(defaults),

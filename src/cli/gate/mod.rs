@@ -10,7 +10,7 @@ use super::output::{keep_files, print, print_aside, style};
 use super::{Answer, Format};
 use crate::files::write_together;
 use crate::gate::baseline::{Baseline, Change, ChangeKind};
-use crate::gate::conformance::{self, Probe};
+use crate::gate::conformance;
 use crate::gate::runner::{self, Plan};
 use crate::gate::{Engine, Options, Refusal, Report, Verdict};
 use crate::report::gate::{junit, page, text};
@@ -69,7 +69,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
             watched.written = changes.and_then(|changes| arguments.write(report, changes.as_deref(), (&watched.times, today), false));
         }
     };
-    let adapter = if arguments.trajectory.is_empty() { misreported(make.as_ref(), &plan.options) } else { Vec::new() };
+    let adapter = if arguments.trajectory.is_empty() { conformance::misreported(make().as_mut(), &plan.options) } else { Vec::new() };
     let answer = runner::run_watched(make.as_ref(), &plan, &watch);
     bar.finish_and_clear();
     let Watched { times, written } = watched.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
@@ -125,15 +125,6 @@ fn is_enough(report: &Report, required: Option<f64>) -> bool {
         print_aside(&format!("{answered} of {count} checks were answered with pass or difference; {wanted}\n"));
     }
     is_enough
-}
-
-/// What the probes find wrong with the adapter; nothing of an engine that does not describe itself, which the run will tell.
-fn misreported(make: &(dyn Fn() -> Box<dyn Engine> + Sync), options: &Options) -> Vec<Probe> {
-    let mut engine = make();
-    match engine.describe(options) {
-        Ok(description) => conformance::misreported(engine.as_mut(), &description, options),
-        Err(_) => Vec::new(),
-    }
 }
 
 fn cannot_run(refusal: &Refusal) -> Result<Answer> {

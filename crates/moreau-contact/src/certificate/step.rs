@@ -31,9 +31,14 @@ impl StepResidual {
 
     /// The one that exceeds its limit by the larger factor.
     pub fn worse(self, other: StepResidual) -> StepResidual {
+        if other.is_worse_than(&self) { other } else { self }
+    }
+
+    /// Whether it is further beyond its limit, or not a number where the other one is.
+    pub fn is_worse_than(&self, other: &StepResidual) -> bool {
         let excess = |one: &StepResidual| if one.limit > 0.0 { one.relative / one.limit } else { one.relative };
-        let (own, others) = (excess(&self), excess(&other));
-        if own.is_nan() || own >= others { self } else { other } // `other` also where it is not a number
+        let (own, others) = (excess(self), excess(other));
+        !others.is_nan() && (own.is_nan() || own > others)
     }
 
     /// The worse of two that may be absent.

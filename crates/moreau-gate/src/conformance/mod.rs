@@ -39,11 +39,14 @@ impl Conformance {
     }
 }
 
-/// What the probes of motion and of contact impulses find wrong with an engine under these options.
-pub fn misreported(engine: &mut dyn Engine, description: &Description, options: &Options) -> Vec<Probe> {
+/// What the probes of the description, of motion and of contact impulses find wrong with an engine under these options; nothing of an
+/// engine that does not describe itself, which a run will tell.
+pub fn misreported(engine: &mut dyn Engine, options: &Options) -> Vec<Probe> {
+    let Ok(description) = engine.describe(options) else { return Vec::new() };
     let mut probes = Vec::new();
+    description::probe_all(&description, &mut probes);
     if description.levels.contains(&Level::Simulate) {
-        motion::probe_all(&mut Under { engine, options }, description, &mut probes);
+        motion::probe_all(&mut Under { engine, options }, &description, &mut probes);
     }
     probes.retain(|probe| matches!(probe.outcome, ProbeOutcome::Problem { .. }));
     probes

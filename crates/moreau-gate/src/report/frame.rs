@@ -1,6 +1,7 @@
 //! What every page has: its head, the common style, text with code in it, and tables that scroll in a box of their own.
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+pub use moreau_checks::text::with_code;
 
 /// Light and dark, from 360 pixels of width on; nothing to tap is lower than 44 pixels.
 const STYLE: &str = include_str!("style.css");
@@ -25,19 +26,6 @@ pub fn document(title: &str, style: &str, body: &Markup) -> String {
     page.into_string()
 }
 
-/// A text in which what stands between two backticks is code.
-pub fn with_code(text: &str) -> Markup {
-    let parts: Vec<&str> = text.split('`').collect();
-    if parts.len().is_multiple_of(2) {
-        return html! { (text) };
-    }
-    html! {
-        @for (k, part) in parts.iter().enumerate() {
-            @if k % 2 == 1 { code { (part) } } @else { (part) }
-        }
-    }
-}
-
 /// A table in a box that scrolls by itself, so that the page stays as wide as the screen; its head stays in sight.
 pub fn scrolled(name: &str, table: &Markup) -> Markup {
     html! { div.scroll role="region" aria-label=(name) tabindex="0" { (table) } }
@@ -46,12 +34,6 @@ pub fn scrolled(name: &str, table: &Markup) -> Markup {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn backticks_become_code_and_nothing_else_becomes_markup() {
-        assert_eq!(with_code("a `b <i>` c & d").into_string(), "a <code>b &lt;i&gt;</code> c &amp; d");
-        assert_eq!(with_code("one ` alone").into_string(), "one ` alone");
-    }
 
     #[test]
     fn a_page_has_what_a_telephone_asks_for_and_escapes_its_title() {

@@ -14,7 +14,7 @@ import atexit
 from . import _native
 from ._api import certify, claims, scenes, simulate, solve, solvers, verify
 from ._engine import serve
-from ._errors import EngineError, FileError, InvalidInput, MoreauError, Rejected, SolverError, Unsupported
+from ._errors import EngineError, FileError, InvalidInput, MoreauError, Rejected, SolverError, Unsupported, UnusualOperator
 from ._gate import QUICK, SWEEP, checks, gate, protocol_check
 from ._native import Certificate, Motion, Problem, Report, Solution, __version__, set_memory_limit
 
@@ -23,6 +23,6 @@ atexit.register(_native.close)
 
 __all__ = [
     "Certificate", "EngineError", "FileError", "InvalidInput", "MoreauError", "Motion", "Problem", "QUICK", "Rejected", "Report", "SWEEP",
-    "Solution", "SolverError", "Unsupported", "__version__", "certify", "checks", "claims", "gate", "protocol_check", "scenes", "serve",
+    "Solution", "SolverError", "Unsupported", "UnusualOperator", "__version__", "certify", "checks", "claims", "gate", "protocol_check", "scenes", "serve",
     "set_memory_limit", "simulate", "solve", "solvers", "verify",
 ]

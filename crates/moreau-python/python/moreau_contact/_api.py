@@ -158,14 +158,14 @@ def claims(search: str | Sequence[str] | None = None) -> list[dict[str, Any]]:
 
     Parameters
     ----------
-    search : words that id, title, statement or correction must all have, in any case.
+    search : words that id, title, statement, correction and sources together must all have, in any case.
 
     >>> [claim["verdict"] for claim in claims("copositive-plus") if claim["id"] == "S4.copos-plus"]
     ['FALSE AS STATED']
     """
-    words = (search if isinstance(search, str) else " ".join(search or [])).lower().split()
-    has = ("id", "title", "statement", "correct_statement")
-    return [claim for claim in json.loads(_native.claims()) if all(any(word in claim[field].lower() for field in has) for word in words)]
+    words = search if isinstance(search, str) else " ".join(search or [])
+    found: list[dict[str, Any]] = json.loads(_native.claims(words))
+    return found
 
 
 def verify(ids: str | Sequence[str | Mapping[str, Any]]) -> list[dict[str, Any]]:

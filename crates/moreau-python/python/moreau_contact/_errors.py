@@ -7,7 +7,6 @@ if TYPE_CHECKING:
     from . import _native
 
 
-
 class MoreauError(Exception):
     """Any error of this package."""
 
@@ -26,8 +25,25 @@ class InvalidInput(MoreauError, ValueError):
         return type(self), (str(self), self.field, self.problem, self.cure)
 
 
+class UnusualOperator(UserWarning):
+    """A warning: W is not symmetric, or drives a contact against itself. It is taken as it stands, and answers are judged with it."""
+
+
 class FileError(MoreauError, OSError):
-    """A file that cannot be read or written; nothing is left half-written."""
+    """A file that cannot be read or written; nothing is left half-written.
+
+    Attributes, as of any OSError: `errno`, None where the system gave no number; `filename`.
+    """
+
+    def __init__(self, message: str, errno: int | None = None, filename: str | None = None) -> None:
+        super().__init__(message)
+        self.errno, self.filename = errno, filename
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+    def __reduce__(self) -> tuple[type, tuple[Any, ...]]:
+        return type(self), (str(self), self.errno, self.filename)
 
 
 class Unsupported(MoreauError):

@@ -1,0 +1,28 @@
+//! Claims by the words that they have.
+
+use super::{Claim, title};
+
+/// Whether a claim has all of these words, in any case: in its id, its title, its statement, its correction or its sources.
+pub fn has_words(claim: &Claim, words: &str) -> bool {
+    let places = claim.sources.iter().copied();
+    let (statement, correct) = (claim.statement(), claim.correct_statement());
+    let text: Vec<&str> = [claim.id, title(claim.id), &statement, &correct].into_iter().chain(places).collect();
+    let text = text.join(" ").to_lowercase();
+    words.to_lowercase().split_whitespace().all(|word| text.contains(word))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims::all;
+
+    fn found(words: &str) -> Vec<&'static str> {
+        all().filter(|claim| has_words(claim, words)).map(|claim| claim.id).collect()
+    }
+
+    #[test]
+    fn words_are_looked_for_in_titles_and_sources_in_any_case_and_all_of_them_are_asked() {
+        assert!(found("zeno").contains(&"S0.tinf") && found("ZENO").contains(&"S0.tinf"));
+        assert!(found("exercise stone").is_empty() && found("cottle pang").contains(&"S4.cps-thm"));
+    }
+}
