@@ -56,10 +56,12 @@ fn numbers(text: &str) -> BTreeSet<String> {
     numbers
 }
 
-/// The numbers of the English texts of a claim, fractions also in parts.
+/// The numbers of the English texts of a claim, fractions also in parts, months by their number.
 fn english(claim: &Claim) -> BTreeSet<String> {
     let text = [claim.statement, claim.correct_statement, claim.argument].join(" ");
-    let whole = numbers(&text);
+    let months = [("February", "2"), ("March", "3"), ("August", "8"), ("November", "11")];
+    let mut whole = numbers(&text);
+    whole.extend(months.iter().filter(|(month, _)| text.contains(month)).map(|(_, number)| (*number).to_owned()));
     let parts = whole.iter().flat_map(|number| number.split('/')).map(str::to_owned).collect::<BTreeSet<_>>();
     whole.union(&parts).cloned().collect()
 }
