@@ -1,7 +1,8 @@
 //! The README and the pages of `docs/`: their numbers are those of the registry and of the stored files, their commands work as they stand,
 //! their links lead somewhere.
 
-use moreau::claims::{self, ClaimVerdict};
+use moreau::claims::{self, ClaimVerdict, Severity};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -101,6 +102,49 @@ fn every_claim_named_in_the_readme_exists() {
         for id in named {
             assert!(claims::find(id).is_some(), "{page} names `{id}`, which is not registered");
         }
+    }
+}
+
+/// The ids that a page names between backticks.
+fn named(page: &str) -> Vec<&str> {
+    let id = |word: &&str| word.starts_with(|letter: char| letter.is_ascii_uppercase()) && word.contains('.') && !word.contains(['/', ' ']);
+    page.split('`').skip(1).step_by(2).filter(id).collect()
+}
+
+/// Ids on a page of errata that are no claims, and the statements that do not hold and are missing there.
+fn wrong_errata(page: &str) -> (Vec<&str>, Vec<&'static str>) {
+    let named = named(page);
+    let must = claims::all().filter(|claim| {
+        let grave = matches!(claim.severity, Some(Severity::BrokenTheorem | Severity::WrongStatement));
+        grave && matches!(claim.verdict, ClaimVerdict::False | ClaimVerdict::Inconsistent)
+    });
+    let missing = must.map(|claim| claim.id).filter(|id| !named.contains(id)).collect();
+    (named.iter().copied().filter(|id| claims::find(id).is_none()).collect(), missing)
+}
+
+#[test]
+fn the_errata_name_every_wrong_statement_and_no_id_that_is_none() {
+    let [english, chinese] = ["docs/errata.md", "docs/errata.zh.md"].map(|page| read(&root().join(page)));
+    for page in [&english, &chinese] {
+        assert_eq!(wrong_errata(page), (vec![], vec![]));
+    }
+    let (there, both): (BTreeSet<_>, BTreeSet<_>) = (named(&english).into_iter().collect(), named(&chinese).into_iter().collect());
+    assert_eq!(there, both);
+    let planted = english.replace("`S4.copos-plus`", "`S4.copositive-plus`");
+    assert_eq!(wrong_errata(&planted), (vec!["S4.copositive-plus"], vec!["S4.copos-plus"]));
+}
+
+#[test]
+fn the_errata_state_the_verdict_counts_of_the_registry() {
+    let count = |verdict| claims::all().filter(|claim| claim.verdict == verdict).count();
+    let counts = [ClaimVerdict::False, ClaimVerdict::Inconsistent, ClaimVerdict::Conditional].map(count);
+    let numbers = [claims::all().count(), counts[0], counts[1], counts[2], counts.iter().sum()];
+    for page in ["docs/errata.md", "docs/errata.zh.md"] {
+        let text = read(&root().join(page));
+        let head = text.split("\n## ").next().expect("what stands before the first theme");
+        let digits = |letter: char| !letter.is_ascii_digit();
+        let stated: Vec<usize> = head.split(digits).filter_map(|number| number.parse().ok()).collect();
+        assert!(numbers.iter().all(|number| stated.contains(number)), "{page} should state {numbers:?}, states {stated:?}");
     }
 }
 

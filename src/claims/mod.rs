@@ -5,6 +5,7 @@
 //! The same registry serves `moreau verify` and `tests/claims.rs`.
 
 mod claim;
+pub mod errata;
 pub(crate) mod experiments;
 mod figures;
 pub mod front;
