@@ -1,12 +1,13 @@
 //! A scene through a scheme for who is not at the terminal: what `simulate` runs, with its options as words.
 
-use super::scene::{count_steps, find, for_scheme, plastic_if_needed, positive};
+use super::scene::{count_steps, find, positive};
 use super::scheme_options::SchemeOptions;
 use crate::report::steps::StepSummary;
 use crate::scenes::{self, Scene, Staged};
 use crate::schemes::{self, Certified};
 use crate::trajectory::{Producer, Recording, Trajectory};
 use crate::{Error, Result, solvers};
+use moreau_replicas::staging::{for_scheme, plastic_if_needed};
 
 /// What is asked.
 pub struct Question<'a> {

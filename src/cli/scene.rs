@@ -3,9 +3,9 @@
 use super::near::suggestion;
 use crate::number::significant;
 use crate::scenes::{self, Scene, Staged};
-use crate::schemes::Scheme;
 use crate::tolerance::cli::STEP_LIMIT;
 use crate::{Error, Result};
+use moreau_replicas::staging::for_scheme;
 use std::path::Path;
 
 /// A linkage or a scene of bodies, ready to run with a scheme.
@@ -14,16 +14,6 @@ pub fn stage(name: &str, argument: &str, scheme: &str) -> Result<Staged> {
         Some(linkage) => linkage.staged(),
         None => for_scheme(&find(name, argument)?, scheme),
     }
-}
-
-/// The scene's mechanism. How soft a body rests depends on the number of its contact points, which is that of the body in space.
-pub fn for_scheme(scene: &Scene, scheme: &str) -> Result<Staged> {
-    let staged = scene.staged()?;
-    if scheme != "mujoco" {
-        return Ok(staged);
-    }
-    let (mechanism, start) = scene.spatial_mechanism()?;
-    Ok(Staged { mechanism, start, ..staged })
 }
 
 /// A built-in scene of bodies by name, anything else as a file; `argument` names where it was given.
@@ -40,22 +30,6 @@ pub fn find(name: &str, argument: &str) -> Result<Scene> {
         return Err(Error::invalid(argument, format!("`{name}` is neither a built-in scene nor a file"), cure));
     }
     Scene::read(file)
-}
-
-/// The scene with e of every pair where it is given, and plastic for a scheme that has no restitution, with a note where that changes it.
-pub fn plastic_if_needed(mut scene: Scene, scheme: &dyn Scheme, name: &str, restitution: Option<f64>) -> (Scene, Option<&'static str>) {
-    let bounces = scene.material.restitution != 0.0 || scene.material.pairs.iter().any(|pair| pair.restitution.is_some_and(|e| e != 0.0));
-    let plastic = !scheme.has_restitution() && bounces;
-    if let Some(restitution) = if plastic { Some(0.0) } else { restitution } {
-        scene.material.restitution = restitution;
-        scene.material.pairs.iter_mut().for_each(|pair| pair.restitution = None);
-    }
-    let note = if name == "mujoco" {
-        "soft contact has no restitution: how far a body bounces follows from solref and solimp, not from the scene's e"
-    } else {
-        "this scheme has no restitution: every impact is plastic, e = 0 in place of the scene's"
-    };
-    (scene, plastic.then_some(note))
 }
 
 /// How many steps h \[s\] a duration \[s\] has.

@@ -7,7 +7,7 @@ use super::limits::CommonOptions;
 use super::number::seconds;
 use super::output::{keep_files, no_answer, print, print_aside, require_svg, style};
 use super::progress;
-use super::scene::{count_steps, find, for_scheme, plastic_if_needed, positive};
+use super::scene::{count_steps, find, positive};
 use super::scheme_options::SchemeOptions;
 use super::solver_table::{self, check_name, with_table};
 use super::{Answer, Format};
@@ -23,6 +23,7 @@ use crate::scenes::{self, ExactMotion, Linkage, Scene, Staged};
 use crate::schemes::{self, Scheme, Step};
 use crate::trajectory::{Producer, Trajectory};
 use crate::{Error, Result, solvers};
+use moreau_replicas::staging::{for_scheme, plastic_if_needed};
 use std::path::{Path, PathBuf};
 
 /// Simulate a scene with a scheme: summary, trajectory/1 and a picture.

@@ -4,6 +4,7 @@ mod advice;
 mod bench;
 mod certify;
 mod compare;
+mod explorer;
 mod gate;
 mod help;
 mod joints;

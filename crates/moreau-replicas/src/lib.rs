@@ -13,6 +13,7 @@ pub mod mujoco;
 pub mod schemes;
 pub mod siconos;
 pub mod solvers;
+pub mod staging;
 pub mod stored;
 pub mod systems;
 pub mod tolerance;
