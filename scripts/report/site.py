@@ -61,8 +61,8 @@ def axis(claim: dict, name: str) -> str:
 
 
 def plain(text: str) -> str:
-    """A text as the search compares it, without its formulas."""
-    return unicodedata.normalize("NFKC", re.sub(r"\$[^$]*\$", " ", text)).lower()
+    """A text as the search compares it."""
+    return unicodedata.normalize("NFKC", text).lower()
 
 
 def words_of(claim: dict) -> str:

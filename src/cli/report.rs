@@ -46,7 +46,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let claims: Vec<&'static Claim> = claims::all().collect();
     let planted = &sources(&[])[1..]; // all but the engines, which take minutes
     let trials: usize = planted.iter().map(|source| source.trials.len()).sum();
-    let parts = claims.len() + systems::Report::size() + trials + moreau_site::pictures::PICTURES.len();
+    let parts = claims.len() + systems::Report::size() + trials + pages::parts();
     let bar = progress::parts(parts, "parts of the report");
     let (gathered, files) = progress::shown(&bar, || written(&claims, planted, &bar))?;
     target.write(&files)?;

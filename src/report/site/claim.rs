@@ -1,14 +1,14 @@
 //! A judged claim as the pages show it: numbers rounded as in the terminal, verdicts as they were judged.
 
 use crate::checks::{Finding, Voice};
-use crate::claims::{Claim, ClaimVerdict, JudgedClaim, PLACES, Place, derive, original, title};
+use crate::claims::{Claim, ClaimVerdict, JudgedClaim, PLACES, Place, derive, errata, original, title, title_in_tex};
 use crate::claims::{Evidence as Grade, Kind as Sentence, Severity as Wrong};
 use crate::number::two_digits;
 use crate::report::explanation::{comes_out_otherwise, elsewhere};
 use crate::report::findings::{awaited, measured, stated};
 use crate::report::text::{complaint, decisive};
 use moreau_site::pages::axes::{Evidence, Kind, Role, Severity, Verdict};
-use moreau_site::pages::data::{ClaimEntry, ControlEntry, FindingEntry, PlaceEntry, Voice as Said};
+use moreau_site::pages::data::{ClaimEntry, ControlEntry, Erratum, FindingEntry, PlaceEntry, Voice as Said};
 
 /// The claim with what was found.
 pub fn entry(outcome: &JudgedClaim) -> ClaimEntry {
@@ -17,8 +17,9 @@ pub fn entry(outcome: &JudgedClaim) -> ClaimEntry {
     ClaimEntry {
         id: claim.id.into(),
         group: claim.section().into(),
-        title: title(claim.id).into(),
+        title: title_in_tex(claim.id).into(),
         statement: claim.statement.into(),
+        words: [claim.id, title(claim.id), &claim.statement(), &claim.correct_statement()].join(" "),
         verdict: verdict(claim.verdict),
         kind: kind(claim.kind),
         severity: claim.severity.map(severity),
@@ -34,8 +35,12 @@ pub fn entry(outcome: &JudgedClaim) -> ClaimEntry {
         absent: absent(claim),
         sources: claim.sources.iter().map(ToString::to_string).collect(),
         check: claim.check.path.into(),
-        erratum: None,
+        erratum: errata::chinese(claim.id).map(erratum),
     }
+}
+
+fn erratum(erratum: &errata::Erratum) -> Erratum {
+    Erratum { says: erratum.says.clone(), wrong: erratum.wrong.clone(), reads: erratum.correct.clone() }
 }
 
 fn absent(claim: &Claim) -> Option<String> {

@@ -62,6 +62,8 @@ pub struct ClaimEntry {
     pub title: String,
     /// What the chapter says, with its hedges.
     pub statement: String,
+    /// What the search looks at: id, title, statement and correction as they are typed, formulas in Unicode.
+    pub words: String,
     /// The verdict.
     pub verdict: Verdict,
     /// What kind of sentence it is.

@@ -5,11 +5,12 @@ use crate::{Language, Words};
 use maud::{DOCTYPE, Markup, html};
 
 /// Every page that the menu names, with its file.
-pub const MENU: [(&str, Words); 10] = [
+pub const MENU: [(&str, Words); 11] = [
     ("index.html", Words { en: "Overview", zh: "总览" }),
     ("claims.html", Words { en: "Claims", zh: "论断" }),
     ("errata.html", Words { en: "Errata", zh: "勘误表" }),
     ("pictures.html", Words { en: "Pictures", zh: "图示" }),
+    ("explorer.html", Words { en: "Explorer", zh: "交互试验" }),
     ("systems.html", Words { en: "Systems", zh: "系统" }),
     ("scoreboard.html", Words { en: "Scoreboard", zh: "引擎记分板" }),
     ("problems.html", Words { en: "Problems", zh: "接触问题集" }),

@@ -69,9 +69,11 @@ pub fn page(view: &View) -> String {
                 h2 { (view.say(EVIDENCE)) }
                 (bars::<Evidence>(view, "evidence", |value| report.count(|claim| claim.evidence == value)))
             }
+            section {
+                h2 { (view.say(MORE)) }
+                (others(view))
+            }
         }
-        h2 { (view.say(MORE)) }
-        (others(view))
         h2 { (view.say(SECTIONS)) }
         (view.scrolled(view.say(SECTIONS), &sections(view)))
     };

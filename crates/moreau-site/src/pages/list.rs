@@ -86,15 +86,15 @@ fn select<'a>(view: &View, label: Words, name: &str, options: impl Iterator<Item
 fn line(view: &View, claim: &ClaimEntry) -> Markup {
     html! {
         li data-section=(claim.group) data-verdict=(claim.verdict.key()) data-severity=(claim.severity.map_or("", Axis::key))
-            data-kind=(claim.kind.key()) data-evidence=(claim.evidence.key()) {
+            data-kind=(claim.kind.key()) data-evidence=(claim.evidence.key()) data-words=(claim.words.to_lowercase()) {
             a href={ (section_file(&claim.group)) "#" (claim.id) } { b { (claim.id) } " " (view.english(&claim.title)) }
             p.standing {
                 (verdict(view, claim.verdict))
                 @if let Some(severity) = claim.severity { " " span.tag { (view.say(severity.words())) } }
                 @if claim.alarm.is_some() { " " b.alarm { (view.say(NOT_SUPPORTED)) } }
             }
-            p data-text { (view.english(&claim.statement)) }
-            p.reads { (view.say(READS)) span data-text { (view.english(&claim.correct)) } }
+            p { (view.english(&claim.statement)) }
+            p.reads { (view.say(READS)) (view.english(&claim.correct)) }
         }
     }
 }

@@ -5,6 +5,7 @@ mod claim;
 pub mod data;
 mod defects;
 mod errata;
+mod explorer;
 mod frame;
 mod front;
 mod list;
@@ -33,12 +34,19 @@ pub struct File {
     pub text: String,
 }
 
-/// Every file of the report, English pages first.
+/// Every file of the report, English pages first; `done` is told of every picture and every run of the explorer.
 ///
 /// # Errors
-/// If a picture cannot be drawn.
-pub fn site(report: &Report, drawn: &(dyn Fn() + Sync)) -> Result<Vec<File>> {
-    let mut files = pictures::files(drawn)?;
+/// If a picture cannot be drawn, or a scene of the explorer is not valid.
+pub fn site(report: &Report, done: &(dyn Fn() + Sync)) -> Result<Vec<File>> {
+    let mut files = without_runs(report, done)?;
+    files.extend(explorer::files(done)?);
+    Ok(files)
+}
+
+/// The same without the files of the explorer.
+fn without_runs(report: &Report, done: &(dyn Fn() + Sync)) -> Result<Vec<File>> {
+    let mut files = pictures::files(done)?;
     let shared = [("style.css", include_str!("style.css")), ("claims.js", include_str!("claims.js"))];
     files.extend(shared.map(|(path, text)| File { path: path.into(), text: text.into() }));
     for language in Language::ALL {
@@ -47,16 +55,22 @@ pub fn site(report: &Report, drawn: &(dyn Fn() + Sync)) -> Result<Vec<File>> {
     Ok(files)
 }
 
+/// How many pictures and runs are computed for a report.
+pub fn parts() -> usize {
+    crate::pictures::PICTURES.len() + crate::explorer::SCENES.iter().map(|scene| scene.choices().len()).sum::<usize>()
+}
+
 /// A page from its view.
 type Page = fn(&View) -> String;
 
-/// The pages of one language; the explorer writes its own.
+/// The pages of one language.
 fn pages(report: &Report, language: Language) -> Vec<File> {
-    let fixed: [(&str, Page); 10] = [
+    let fixed: [(&str, Page); 11] = [
         ("index.html", front::page),
         ("claims.html", list::page),
         ("errata.html", errata::page),
         ("pictures.html", pictures::page),
+        ("explorer.html", explorer::page),
         ("systems.html", systems::page),
         ("scoreboard.html", scoreboard::page),
         ("problems.html", problems::page),

@@ -21,10 +21,10 @@ const CLAIMS: Words = Words { en: "Claims: ", zh: "相关论断:" };
 ///
 /// # Errors
 /// If a picture cannot be drawn.
-pub fn files(drawn: &(dyn Fn() + Sync)) -> Result<Vec<File>> {
+pub fn files(done: &(dyn Fn() + Sync)) -> Result<Vec<File>> {
     let draw = |picture: &&Picture| {
         let text = (picture.draw)()?;
-        drawn();
+        done();
         Ok(File { path: file(picture), text })
     };
     PICTURES.iter().map(draw).collect()

@@ -24,7 +24,7 @@ pub fn page(view: &View, section: &Section) -> String {
             crate::Language::English => p.meta { (view.say(HEADING)) (view.chinese(section.title.zh)) },
             crate::Language::Chinese => p.meta { (view.say(HEADING)) span lang="en" { (section.title.en) } },
         }
-        (neighbours(view, section))
+        nav.neighbours aria-label=(view.say(OTHER_SECTIONS)) { (neighbours(view, section)) }
         p { (view.tell(CLAIMS, &[&claims.len()])) ": " (counts(view, section)) }
         details {
             summary { (view.say(IN_SHORT)) }
@@ -35,7 +35,7 @@ pub fn page(view: &View, section: &Section) -> String {
             }
         }
         @for claim in &claims { (article(view, claim)) }
-        (neighbours(view, section))
+        div.neighbours { (neighbours(view, section)) }
     };
     document(view, title(view, section), &body)
 }
@@ -63,7 +63,5 @@ fn neighbours(view: &View, section: &Section) -> Markup {
             @if let Some(to) = to { a href=(section_file(&to.group)) { (view.say(word)) ": " (title(view, to)) } }
         }
     };
-    html! {
-        nav.neighbours aria-label=(view.say(OTHER_SECTIONS)) { (link(BEFORE, before)) (link(NEXT, sections.get(at + 1))) }
-    }
+    html! { (link(BEFORE, before)) (link(NEXT, sections.get(at + 1))) }
 }

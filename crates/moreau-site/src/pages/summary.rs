@@ -26,8 +26,10 @@ const AGAIN: Words = Words { en: "How to make it again", zh: "如何重新得到
 const EVIDENCE: Words = Words { en: "Evidence: ", zh: "证据:" };
 const MORE: Words = Words { en: "and {0} more in the errata sheet", zh: "另有 {0} 条见勘误表" };
 
+const SECTIONS: Words = Words { en: "Verdicts by section", zh: "各节结论" };
+
 /// Titles that fit on the second page.
-const FIT: usize = 24;
+const FIT: usize = 60;
 
 /// The page.
 pub fn page(view: &View) -> String {
@@ -46,7 +48,7 @@ pub fn page(view: &View) -> String {
                 }
                 ". " (view.tell(CONTRADICTED, &[&report.contradicted().count()]))
             }
-            (front::sections(view))
+            (view.scrolled(view.say(SECTIONS), &front::sections(view)))
             h2 { (view.say(BROKEN)) }
             (titles(view, &broken, broken.len()))
             h2 { (view.say(OTHER)) }

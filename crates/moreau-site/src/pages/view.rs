@@ -96,7 +96,7 @@ pub fn section_file(group: &str) -> String {
     format!("section-{group}.html")
 }
 
-/// A heading of the chapter without its stars.
+/// Words of the chapter without the stars of their headings, with its marks of formulas as they are elsewhere.
 fn plain(text: &str) -> String {
-    text.replace(['⭐', '\u{fe0f}'], "").trim().into()
+    text.replace(['⭐', '\u{fe0f}'], "").replace("\\(", "$").replace("\\)", "$").trim().into()
 }
