@@ -1,9 +1,9 @@
 //! One claim in full: statement, verdict, deciding finding, argument, correction, controls, place, sources.
 
 use super::axes::{Axis, Verdict};
-use super::data::{ClaimEntry, ControlEntry, FindingEntry, PlaceEntry, Voice};
+use super::data::{ClaimEntry, ControlEntry, Erratum, FindingEntry, PlaceEntry, Voice};
 use super::view::View;
-use crate::Words;
+use crate::{Language, Words};
 use maud::{Markup, html};
 
 const SAYS: Words = Words { en: "The chapter says", zh: "本章的说法" };
@@ -66,7 +66,7 @@ pub fn article(view: &View, claim: &ClaimEntry) -> Markup {
             (standing(view, claim))
             (repetitions(view, claim))
             h3 { (view.say(SAYS)) }
-            blockquote { (view.english(&claim.statement)) }
+            blockquote { (view.english(&claim.statement)) (in_chinese(view, claim, |erratum| &erratum.says)) }
             (places(view, claim))
             @if let Some(finding) = &claim.deciding {
                 h3 { (view.say(DECIDING)) }
@@ -74,12 +74,19 @@ pub fn article(view: &View, claim: &ClaimEntry) -> Markup {
             }
             h3 { (view.say(argument)) }
             p { (view.english(&claim.argument)) }
+            (in_chinese(view, claim, |erratum| &erratum.wrong))
             h3 { (view.say(correct)) }
-            p.correct { (view.english(&claim.correct)) }
-            @if let Some(erratum) = &claim.erratum { p.correct { (view.chinese(&erratum.reads)) } }
+            div.correct { p { (view.english(&claim.correct)) } (in_chinese(view, claim, |erratum| &erratum.reads)) }
             (evidence(view, claim))
             p { (view.say(AGAIN)) ": " code { "moreau verify --explain " (claim.id) } }
         }
+    }
+}
+
+/// A part of the erratum, on a Chinese page.
+fn in_chinese(view: &View, claim: &ClaimEntry, part: fn(&Erratum) -> &String) -> Markup {
+    html! {
+        @if let (Some(erratum), Language::Chinese) = (&claim.erratum, view.language) { p { (view.chinese(part(erratum))) } }
     }
 }
 
