@@ -6,7 +6,8 @@
   var shown = document.getElementById("shown");
   var plain = function (text) { return text.normalize("NFKC").toLowerCase(); };
   var claims = Array.prototype.map.call(document.getElementById("claims").children, function (item) {
-    return { item: item, text: plain(item.dataset.words) };
+    var texts = [item.querySelector("b"), item.querySelector("a")].concat(Array.prototype.slice.call(item.querySelectorAll("[data-text]")));
+    return { item: item, text: plain(texts.map(function (one) { return one.textContent; }).join(" ")) };
   });
 
   function apply() {

@@ -62,8 +62,8 @@ pub struct ClaimEntry {
     pub title: String,
     /// What the chapter says, with its hedges.
     pub statement: String,
-    /// What the search looks at: id, title, statement and correction as they are typed, formulas in Unicode.
-    pub words: String,
+    /// Statement and correction with their formulas in Unicode, for lists and the search.
+    pub plain: [String; 2],
     /// The verdict.
     pub verdict: Verdict,
     /// What kind of sentence it is.

@@ -15,8 +15,8 @@ pub const MENU: [(&str, Words); 11] = [
     ("scoreboard.html", Words { en: "Scoreboard", zh: "引擎记分板" }),
     ("problems.html", Words { en: "Problems", zh: "接触问题集" }),
     ("defects.html", Words { en: "Planted mistakes", zh: "植入的错误" }),
-    ("obtained.html", Words { en: "How it was obtained", zh: "数据来源" }),
-    ("summary.html", Words { en: "Two pages to print", zh: "两页打印摘要" }),
+    ("obtained.html", Words { en: "Origins", zh: "数据来源" }),
+    ("summary.html", Words { en: "To print", zh: "两页打印摘要" }),
 ];
 
 const SKIP: Words = Words { en: "To the content", zh: "跳到正文" };

@@ -26,7 +26,7 @@ const KIND: Words = Words { en: "Kind", zh: "类型" };
 const EVIDENCE: Words = Words { en: "Evidence", zh: "证据" };
 const ALL: Words = Words { en: "all", zh: "全部" };
 const CLEAR: Words = Words { en: "Clear", zh: "清除" };
-const SHOWN: Words = Words { en: "claims shown", zh: "条论断" };
+const SHOWN: Words = Words { en: "Claims shown: ", zh: "显示的论断数:" };
 const FILTERS: Words = Words { en: "Search and filters", zh: "搜索与筛选" };
 const READS: Words = Words { en: "should read: ", zh: "应为:" };
 const NOT_SUPPORTED: Words = Words { en: "not supported by what was found", zh: "与所得结果不符" };
@@ -39,7 +39,7 @@ pub fn page(view: &View) -> String {
         p { (view.tell(LEAD, &[&claims.len()])) }
         noscript { p.note { (view.say(WITHOUT)) } }
         (filters(view))
-        p.meta role="status" aria-live="polite" { b #shown { (claims.len()) } " " (view.say(SHOWN)) }
+        p.meta role="status" aria-live="polite" { (view.say(SHOWN)) b #shown { (claims.len()) } }
         ul #claims.claims { @for claim in claims { (line(view, claim)) } }
         script src=(view.shared("claims.js")) {}
     };
@@ -86,15 +86,15 @@ fn select<'a>(view: &View, label: Words, name: &str, options: impl Iterator<Item
 fn line(view: &View, claim: &ClaimEntry) -> Markup {
     html! {
         li data-section=(claim.group) data-verdict=(claim.verdict.key()) data-severity=(claim.severity.map_or("", Axis::key))
-            data-kind=(claim.kind.key()) data-evidence=(claim.evidence.key()) data-words=(claim.words.to_lowercase()) {
+            data-kind=(claim.kind.key()) data-evidence=(claim.evidence.key()) {
             a href={ (section_file(&claim.group)) "#" (claim.id) } { b { (claim.id) } " " (view.english(&claim.title)) }
             p.standing {
                 (verdict(view, claim.verdict))
                 @if let Some(severity) = claim.severity { " " span.tag { (view.say(severity.words())) } }
                 @if claim.alarm.is_some() { " " b.alarm { (view.say(NOT_SUPPORTED)) } }
             }
-            p { (view.english(&claim.statement)) }
-            p.reads { (view.say(READS)) (view.english(&claim.correct)) }
+            p data-text { (view.letters(&claim.plain[0])) }
+            p.reads { (view.say(READS)) span data-text { (view.letters(&claim.plain[1])) } }
         }
     }
 }
