@@ -137,7 +137,7 @@ impl Evidence {
 pub enum Reading {
     /// The statement the recorded verdict stands for: every finding must hold.
     Recorded,
-    /// A control, by its place in [`Claim::controls`]: another subject; a deciding finding must come out otherwise.
+    /// A control, by its place in [`Claim::controls()`]: another subject; a deciding finding must come out otherwise.
     Control(usize),
 }
 

@@ -55,7 +55,8 @@ pub const CLAIMS: &[Claim] = &[
             same amount every step. Below, the amplitude is at most $q_0/\sqrt{1 - s^2/4}$ from rest.",
         argument: r"From $q_0$ at rest with $s = 2$: $q_n = (-1)^n\,(1 + 2n)\,q_0$ exactly, 0.001 m becomes 0.401 m after 200 steps. With
             $s = 199/100$ the amplitude stays below that bound, at 0.01001 m; with $s = 201/100$ it grows as
-            $\sinh((n + \tfrac12)\theta)/\sinh(\theta/2)$, $2 \cosh \theta = s^2 - 2$.",
+            $\sinh((n + \tfrac12)\theta)/\sinh(\theta/2)$, $2 \cosh \theta = s^2 - 2$. That both moduli are 1 at $s = 2$, as the
+            chapter says, is right; the double eigenvalue lacks its second eigenvector.",
         controls: &[r"$s = 199/100$ in place of 2.", "Explicit Euler in place of semi-implicit Euler."],
         sources: &["chapter §8, example on stability bounds"],
         check: check!(at_the_bound),

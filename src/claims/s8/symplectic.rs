@@ -56,7 +56,7 @@ pub const CLAIMS: &[Claim] = &[
             decided here; its abstract announces an algorithm with good conservation of momentum and energy.",
         argument: r"Two coupled masses, $M = (2, 1; 1, 3)$, semi-implicit Euler in a cubic potential into the wall and mirrored in the
             metric of $M$: $D^TJD - J = 0$ exactly, in a step that penetrates. The projected step has determinant 0. The variational step
-            is S8.kmow.",
+            is S8.kmow; with $e = 1$ and no correction it is what the section excepts, so that the mirror image alone decides.",
         controls: &[
             "Projection in place of the mirror image.",
             "A step of 1/2000 s, which does not reach the wall.",

@@ -41,9 +41,14 @@ fn reason(message: &str) -> String {
     message.lines().next().unwrap_or_default().trim_start_matches("parsing error: ").into()
 }
 
-/// `\mu` is the Greek letter, not the sign of a millionth; `\phi` the letter that the chapter prints; `\|` the sign of a norm.
+/// `\mu` is the Greek letter, not the sign of a millionth; `\phi` the letter that the chapter prints; `\|` the sign of a norm; and a stroke
+/// stands without spaces, as in TeX.
 fn usual(event: Event<'_>) -> Event<'_> {
-    let Event::Content(Content::Ordinary { content, stretchy }) = event else { return event };
+    let (content, stretchy) = match event {
+        Event::Content(Content::Ordinary { content, stretchy }) => (content, stretchy),
+        Event::Content(Content::BinaryOp { content: '/', .. }) => ('/', false),
+        other => return other,
+    };
     let content = match content {
         'µ' => 'μ',
         'ϕ' => 'φ',

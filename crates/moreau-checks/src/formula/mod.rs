@@ -53,16 +53,25 @@ pub fn unicode(text: &str) -> Result<String> {
 /// # Errors
 /// A mark without its partner, a backslash in prose, a formula that is not TeX; the message names the formula.
 pub fn html(text: &str) -> Result<Markup> {
-    let parts = pieces(text)?
+    let pieces = pieces(text)?;
+    let goes_on = |place: usize| matches!(pieces.get(place + 1), Some(Piece::Prose(prose)) if !prose.starts_with(' '));
+    let parts = pieces
         .iter()
-        .map(|piece| match piece {
+        .enumerate()
+        .map(|(place, piece)| match piece {
             Piece::Prose(prose) => Ok(markup! { (prose) }),
             Piece::Code(text) => Ok(code(text)),
-            Piece::Formula(tex) => Ok(PreEscaped(events::mathml(tex)?)),
+            Piece::Formula(tex) => {
+                let formula = PreEscaped(events::mathml(tex)?);
+                Ok(markup! { (formula) @if goes_on(place) { (WORD_JOINER) } })
+            }
         })
         .collect::<Result<Vec<_>>>()?;
     Ok(markup! { @for part in parts { (part) } })
 }
+
+/// Keeps a comma on the line of the formula before it.
+const WORD_JOINER: char = '\u{2060}';
 
 /// The formulas of a text, in TeX.
 ///

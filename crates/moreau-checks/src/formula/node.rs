@@ -1,7 +1,9 @@
 //! A formula as a tree, built from the events in their order.
 
 use pulldown_latex::Event;
-use pulldown_latex::event::{Content, EnvironmentFlow, Font, Grouping, RelationContent, ScriptPosition, ScriptType, StateChange, Visual};
+use pulldown_latex::event::{
+    Content, DelimiterType, EnvironmentFlow, Font, Grouping, RelationContent, ScriptPosition, ScriptType, StateChange, Visual,
+};
 use std::vec::IntoIter;
 
 /// What a sign is to its neighbours; TeX's classes, which set the spaces.
@@ -158,6 +160,7 @@ impl<'a> Builder<'a> {
             Content::Text(text) => (text.to_string(), Class::Ordinary),
             Content::Number(number) => (number.to_string(), Class::Ordinary),
             Content::Function(name) => (name.to_string(), Class::Function),
+            Content::Ordinary { content: '/', .. } => ("/".into(), Class::Tight),
             Content::Ordinary { content, .. } => (self.letter(content), Class::Ordinary),
             Content::LargeOp { content: '∑', .. } => ("Σ".into(), Class::Ordinary),
             Content::LargeOp { content, .. } => (content.into(), Class::Ordinary),
@@ -181,8 +184,7 @@ impl<'a> Builder<'a> {
     }
 }
 
-fn bracket(ty: pulldown_latex::event::DelimiterType) -> Class {
-    use pulldown_latex::event::DelimiterType;
+fn bracket(ty: DelimiterType) -> Class {
     match ty {
         DelimiterType::Open => Class::Open,
         DelimiterType::Close => Class::Close,
@@ -190,10 +192,11 @@ fn bracket(ty: pulldown_latex::event::DelimiterType) -> Class {
     }
 }
 
+/// The signs of a product stand without spaces.
 fn binary(sign: char) -> (String, Class) {
     match sign {
         '⋅' => ("·".into(), Class::Tight),
-        '×' | '/' => (sign.into(), Class::Tight),
+        '×' => ("×".into(), Class::Tight),
         '∗' => ("*".into(), Class::Tight),
         other => (other.into(), Class::Binary),
     }

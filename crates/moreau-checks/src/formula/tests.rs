@@ -26,6 +26,7 @@ fn formulas_are_lines_of_unicode() {
         (r"\sqrt{1 + \mu^2} + \sqrt2 + \sqrt[3]k", "√(1 + μ²) + √2 + ∛k"),
         (r"x_{long} + v_\text{free} + v_{1/2}^T", "x_long + v_free + v_{1/2}ᵀ"),
         (r"\sum_i\mu_i \in \mathbb{R}^n, -3", "Σᵢμᵢ ∈ ℝⁿ, −3"),
+        (r"-\ln x/\det W", "−ln x/det W"),
         (r"\max(0, -x) + 2\sin\theta", "max(0, −x) + 2 sin θ"),
         (r"e^{-\alpha t} + x^{k + 1}", "e^{−αt} + xᵏ⁺¹"),
         (r"x < y > z \& w", "x < y > z&w"),
@@ -54,6 +55,12 @@ fn pages_have_the_formula_as_mathml_the_code_as_code_and_the_rest_escaped() {
     assert!(page.ends_with("</math>"), "{page}");
     well_formed(&page).expect(&page);
     assert!(well_formed("<a><b></a>").is_err());
+}
+
+#[test]
+fn a_comma_stays_on_the_line_of_its_formula() {
+    assert!(page("$x$, and").contains("</math>\u{2060}, and"));
+    assert!(page("$x$ and").contains("</math> and"));
 }
 
 #[test]
