@@ -1,9 +1,9 @@
-//! Pictures: panels of curves over time as SVG, legends beside the panels so that they cover nothing.
+//! Panels of curves over time, legends beside the panels so that they cover nothing.
 
+use super::paper::{Area, COLOURS, Drawn, EXACT_COLOUR, FINE, GRID, font, span, thinned};
 use moreau_exact::number::significant;
 use moreau_exact::tolerance::EPSILON;
 use moreau_exact::{Error, Result};
-use plotters::coord::Shift;
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::series::DashedLineSeries;
@@ -39,8 +39,6 @@ pub struct Panel {
     pub curves: Vec<Curve>,
 }
 
-/// Lengths below are in screen points times this: the backend rounds to whole units, which would show as steps.
-const FINE: u32 = 8;
 const CHART_WIDTH: u32 = 770 * FINE;
 const PANEL_HEIGHT: u32 = 260 * FINE;
 const TITLE_HEIGHT: u32 = 44 * FINE;
@@ -55,23 +53,8 @@ const LEGEND_LINE: u32 = 48 * FINE;
 const CHARACTER_WIDTH: u32 = 7 * FINE;
 /// Rows of the legend; of more curves it tells the number.
 const LEGEND_ROWS: usize = 40;
-/// Points per curve that a picture of this width can show.
-const POINTS: usize = 2 * 960;
-/// Colours that stay apart for colour-blind readers (Okabe and Ito, with their black lightened).
-const COLOURS: [RGBColor; 7] = [
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(230, 159, 0),
-    RGBColor(86, 180, 233),
-    RGBColor(70, 70, 70),
-];
 /// Dash and gap of the curves that share a colour, in screen points; the first of them is drawn through.
 const DASHES: [Option<(u32, u32)>; 4] = [None, Some((9, 4)), Some((2, 3)), Some((16, 6))];
-const GRID: RGBColor = RGBColor(225, 225, 225);
-const EXACT_COLOUR: RGBColor = RGBColor(190, 190, 190);
-
 /// Panels below each other with a common time axis, as the text of an SVG file.
 ///
 /// # Errors
@@ -132,13 +115,6 @@ impl Size {
         text.replacen(&size(width, height), &size(width / FINE, height / FINE), 1)
     }
 }
-
-fn font(points: u32) -> (&'static str, u32) {
-    ("sans-serif", points * FINE)
-}
-
-type Drawn = std::result::Result<(), Box<dyn std::error::Error>>;
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 fn draw(text: &mut String, title: &str, size: &Size, panels: &[Panel], times: Range<f64>) -> Drawn {
     let root = SVGBackend::with_string(text, size.whole()).into_drawing_area();
@@ -233,38 +209,6 @@ fn styles(panel: &Panel) -> impl Iterator<Item = Line> {
     })
 }
 
-/// The range of some values, widened by a share on both sides; a range far narrower than the values themselves is
-/// rounding, and is shown as the straight line it means.
-fn span(values: impl Iterator<Item = f64>, margin: f64) -> Range<f64> {
-    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
-    if low > high || (low == 0.0 && high == 0.0) {
-        return 0.0..1.0;
-    }
-    let size = low.abs().max(high.abs());
-    let missing = (0.01 * size - (high - low)).max(0.0);
-    let extra = margin * (high - low) + missing / 2.0;
-    low - extra..high + extra
-}
-
-/// At most about [`POINTS`] points with the same look: of each stretch its first, lowest, highest and last.
-fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    if points.len() <= POINTS {
-        return points.to_vec();
-    }
-    let stretch = points.len().div_ceil(POINTS / 4);
-    points.chunks(stretch).flat_map(characteristic).collect()
-}
-
-fn characteristic(stretch: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    let by_value = |a: &usize, b: &usize| stretch[*a].1.total_cmp(&stretch[*b].1);
-    let lowest = (0..stretch.len()).min_by(by_value);
-    let highest = (0..stretch.len()).max_by(by_value);
-    let mut places: Vec<_> = [Some(0), lowest, highest, stretch.len().checked_sub(1)].into_iter().flatten().collect();
-    places.sort_unstable();
-    places.dedup();
-    places.into_iter().map(|place| stretch[place]).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -323,24 +267,5 @@ mod tests {
     fn a_point_that_is_not_finite_is_refused() {
         assert!(svg("x", &[panel(vec![(0.0, f64::NAN)])]).is_err());
         assert!(svg("x", &[panel(vec![(f64::INFINITY, 0.0)])]).is_err());
-    }
-
-    #[test]
-    fn a_constant_is_drawn_flat_and_rounding_is_not_magnified() {
-        let range = span([9.81, 9.81 + 1e-14].into_iter(), 0.05);
-        assert!(range.start < 9.8 && range.end > 9.82);
-        assert_eq!(span([0.0, 0.0].into_iter(), 0.05), 0.0..1.0);
-        assert_eq!(span([1.0, 3.0].into_iter(), 0.0), 1.0..3.0);
-    }
-
-    #[test]
-    fn thinning_keeps_ends_order_and_a_single_spike() {
-        let mut points: Vec<_> = (0..100_000).map(|k| (k as f64, 0.0)).collect();
-        points[54_321].1 = 7.0;
-        let thin = thinned(&points);
-        assert!(thin.len() <= POINTS + 4);
-        assert_eq!((thin[0], thin[thin.len() - 1]), (points[0], points[99_999]));
-        assert!(thin.contains(&(54_321.0, 7.0)));
-        assert!(thin.windows(2).all(|pair| pair[0].0 < pair[1].0));
     }
 }
