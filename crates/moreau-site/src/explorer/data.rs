@@ -5,7 +5,7 @@
 //!                           "stored": [ { "h": …, "steps": …, "data": "…" }, { "refused": "…" }, … ] })
 //! ```
 
-use super::grid::{Choice, SCENES, SceneEntry};
+use super::grid::{Choice, SceneEntry};
 use super::run::{Run, compute, posed};
 use moreau_dynamics::mechanics::spatial::Shape;
 use moreau_dynamics::scenes::Scene;
@@ -68,12 +68,12 @@ pub fn stored(choice: &Choice, scene: &Scene) -> Stored {
     }
 }
 
-/// The script of every scene by name; `progress` is told how many runs are done, and of how many.
+/// The script of each of these scenes by name; `progress` is told how many runs are done, and of how many.
 ///
 /// # Errors
 /// If a scene of the table is not valid.
-pub fn scripts(progress: &(dyn Fn(usize, usize) + Sync)) -> Result<Vec<(String, String)>> {
-    let scenes = SCENES.iter().map(|entry| Ok((entry, jobs(entry)?))).collect::<Result<Vec<_>>>()?;
+pub fn scripts(scenes: &[SceneEntry], progress: &(dyn Fn(usize, usize) + Sync)) -> Result<Vec<(String, String)>> {
+    let scenes = scenes.iter().map(|entry| Ok((entry, jobs(entry)?))).collect::<Result<Vec<_>>>()?;
     let total = scenes.iter().map(|(_, jobs)| jobs.len()).sum();
     let done = AtomicUsize::new(0);
     let run = |job: &Job| {
@@ -128,8 +128,47 @@ fn size(shape: Shape) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::code::decode;
+    use super::super::grid::SCENES;
+    use super::super::run::WIDTHS;
     use super::*;
+    use serde_json::Value;
     use std::collections::BTreeSet;
+    use std::sync::Mutex;
+
+    #[test]
+    fn a_script_holds_every_run_of_its_scene_as_its_program_reads_it() {
+        let cradle = SCENES.iter().position(|entry| entry.id == "cradle").expect("it is listed");
+        let told = Mutex::new(Vec::new());
+        let scripts = scripts(&SCENES[cradle..=cradle], &|done, of| told.lock().expect("no panic").push((done, of))).expect("valid");
+        let [(name, text)] = &scripts[..] else { panic!("one scene has one script") };
+        let json = text.strip_prefix("moreau.keep(\"cradle\", ").and_then(|rest| rest.strip_suffix(");\n")).expect("one call");
+        let value: Value = serde_json::from_str(json).expect("JSON");
+        let (runs, stored) = (value["runs"].as_object().expect("runs"), value["stored"].as_array().expect("a list"));
+        assert_eq!((name.as_str(), runs.len()), ("cradle.js", SCENES[cradle].choices().len()));
+        for (key, told) in runs {
+            let run = &stored[told["run"].as_u64().expect("an index") as usize];
+            let (steps, contacts) = (run["steps"].as_u64().expect("steps") as usize, run["contacts"].as_array().expect("contacts").len());
+            let channels = decode(run["data"].as_str().expect("text"), steps + 1).expect("a run");
+            assert_eq!(channels.len(), 5 * WIDTHS[0] + WIDTHS[1] + contacts * WIDTHS[2], "{key}");
+            assert!(
+                key.contains(&format!(
+                    "h={}",
+                    if steps == 36 {
+                        "1/60"
+                    } else if steps == 144 {
+                        "1/240"
+                    } else {
+                        "1/1000"
+                    }
+                )),
+                "{key}"
+            );
+        }
+        let mut told = told.into_inner().expect("no panic");
+        told.sort_unstable();
+        assert_eq!(told, (1..=stored.len()).map(|done| (done, stored.len())).collect::<Vec<_>>());
+    }
 
     #[test]
     fn every_point_of_the_grid_has_its_run_and_what_does_not_act_is_computed_once() {

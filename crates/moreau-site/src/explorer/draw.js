@@ -68,8 +68,10 @@ const moreauDraw = (() => {
   };
 
   // The largest impulse and the largest law velocity of a run.
-  const largest = (run, normal, tangential) => Math.max(0, ...run.contacts.map((contact) =>
-    contact[normal].reduce((most, n, k) => contact.active[k] ? Math.max(most, Math.hypot(n, contact[tangential][k])) : most, 0)));
+  const largest = (run, part) => Math.max(0, ...run.contacts.map((contact) => contact[`${part}n`].reduce((most, n, k) =>
+    contact.active[k] ? Math.max(most, Math.hypot(n, contact[`${part}t`][k], contact[`${part}s`][k])) : most, 0)));
+  // The size of the tangential part with the sign that it has in the plane of the picture.
+  const aside = (contact, part, k) => Math.hypot(contact[`${part}t`][k], contact[`${part}s`][k]) * (contact[`${part}t`][k] < 0 ? -1 : 1);
 
   // The cone K = {|r_t| <= mu r_n} and its dual {y_n >= mu |y_t|}; arrows as long as the square root of what they show.
   const cone = (svg, run, mu, width, height) => {
@@ -96,7 +98,7 @@ const moreauDraw = (() => {
     make(svg, "text", { x: x + K[0] - (mu > 0 ? 18 : -4), y: y - K[1], class: "told" }, "K");
     const over = mu > 1 ? [x - 0.6 * reach / mu, 0.85 * reach] : [10, Math.min(reach, (width / 2 - 14) * mu + 24)];
     make(svg, "text", { x: over[0], y: y - over[1], class: "told" }, "K*");
-    const arrows = make(svg, "g"), most = [largest(run, "rn", "rt"), largest(run, "yn", "yt")];
+    const arrows = make(svg, "g"), most = [largest(run, "r"), largest(run, "y")];
     const arrow = (t, n, top, kind) => {
       const size = Math.hypot(t, n);
       if (!(size > 0) || !(top > 0)) return;
@@ -109,8 +111,8 @@ const moreauDraw = (() => {
     return (k) => {
       arrows.replaceChildren();
       run.contacts.filter((contact) => contact.active[k]).forEach((contact) => {
-        arrow(contact.yt[k], contact.yn[k], most[1], "velocity");
-        arrow(contact.rt[k], contact.rn[k], most[0], "impulse");
+        arrow(aside(contact, "y", k), contact.yn[k], most[1], "velocity");
+        arrow(aside(contact, "r", k), contact.rn[k], most[0], "impulse");
       });
     };
   };

@@ -86,7 +86,9 @@
       graph("energy", { range: energy, label: `${texts.energy} [J]` }),
       graph("natural", { range: [-18, 0], log: true, label: `${texts.natural} [N·s]`, marks: run.verdict }),
     ];
-    $(`${panel}-note`).textContent = texts[run.note] || run.note;
+    const away = Math.max(...run.bodies.flatMap((body) => body.y).map(Math.abs));
+    const notes = [run.note && (texts[run.note] || run.note), away > 0 && `${texts.away} ${plain(away)} m`];
+    $(`${panel}-note`).textContent = notes.filter(Boolean).join("; ");
     return { run, show: (k) => drawn.forEach((part) => part(k)) };
   };
 
@@ -106,14 +108,17 @@
     rows.push([texts.gap, `${plain(run.gap[k])} m`], [texts.energy, `${plain(run.energy[k])} J`]);
     rows.push([texts.natural, run.natural[k] === null ? "–" : `${short(run.natural[k])} N·s`]);
     const active = run.contacts.filter((contact) => contact.active[k]);
-    const size = (contact) => Math.hypot(contact.rn[k], contact.rt[k]);
+    const size = (contact) => Math.hypot(contact.rn[k], contact.rt[k], contact.rs[k]);
     const top = active.reduce((most, contact) => !most || size(contact) > size(most) ? contact : most, undefined);
     if (!top) return [...rows, [texts.impulse, texts.open]];
     const name = (body) => body < 0 ? texts.ground : run.bodies[body].name;
-    const pair = (n, t, unit) => `n ${plain(n[k])}, t ${plain(t[k])} ${unit}`;
+    const parts = (part, unit) => {
+      const [n, t, s] = ["n", "t", "s"].map((row) => plain(top[part + row][k]));
+      return `n ${n}, t ${t}${s === "0" ? "" : `, ${texts.across} ${s}`} ${unit}`;
+    };
     const count = active.length > 1 ? `${active.length} ${texts.more}: ` : "";
-    return [...rows, [texts.impulse, `${count}${pair(top.rn, top.rt, "N·s")} (${top.bodies.map(name).join("/")})`],
-      [texts.velocity, pair(top.un, top.ut, "m/s")], [texts.law, pair(top.yn, top.yt, "m/s")]];
+    return [...rows, [texts.impulse, `${count}${parts("r", "N·s")} (${top.bodies.map(name).join("/")})`],
+      [texts.velocity, parts("u", "m/s")], [texts.law, parts("y", "m/s")]];
   };
   const tell = (panel, { run }, k) => {
     const [kind, words] = verdict(run, k), line = $(`${panel}-certificate`);

@@ -45,7 +45,7 @@ use std::collections::BTreeMap;
 /// # Errors
 /// If a scene of the table is not valid; a run that a scheme refuses is stored as what the scheme says.
 pub fn files(progress: &(dyn Fn(usize, usize) + Sync)) -> Result<Vec<(String, String)>> {
-    let mut files = data::scripts(progress)?;
+    let mut files = data::scripts(&SCENES, progress)?;
     let mut scenes = BTreeMap::new();
     for entry in &SCENES {
         for choice in entry.choices() {

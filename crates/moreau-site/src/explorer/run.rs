@@ -2,9 +2,9 @@
 //!
 //! ```text
 //!     channels, each with a number for the start and one for every step:
-//!     of every body       x [m], z [m], angle [rad], v_x [m/s], v_z [m/s], ω [rad/s]
+//!     of every body       x, z [m], angle [rad], v_x, v_z [m/s], ω [rad/s], and y [m], by which it leaves the plane in space
 //!     of the whole        T + V [J], smallest gap [m], natural map [N·s], relative residual, its verdict, its word
-//!     of every contact    whether it was active, r_n, r_t [N·s], u_n, u_t, ŷ_n, ŷ_t [m/s]
+//!     of every contact    whether it was active, r_n, r_t₁, r_t₂ [N·s], u_n, u_t₁, u_t₂, ŷ_n, ŷ_t₁, ŷ_t₂ [m/s]
 //! ```
 //! u is the velocity at the contact after the step, ŷ = y + μ‖y_t‖n that of Coulomb's law and y that of an associated one: K ∋ r ⟂ ŷ ∈ K*.
 
@@ -23,7 +23,7 @@ use serde::Serialize;
 use std::f64::consts::TAU;
 
 /// Channels of a body, of the whole, and of a contact.
-pub const WIDTHS: [usize; 3] = [6, 6, 7];
+pub const WIDTHS: [usize; 3] = [7, 6, 10];
 
 /// A run as it is stored.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -142,10 +142,10 @@ impl<'a> Table<'a> {
 
     fn sample(&mut self, state: &State, judged: [i64; 4]) -> Result<()> {
         for (channels, body) in self.bodies.iter_mut().zip(self.mechanism.bodies(&state.position, &state.velocity)) {
-            let [x, _, z] = body.position;
+            let [x, y, z] = body.position;
             let [v_x, _, v_z] = body.linear_velocity;
             let before = channels[2].last().map_or(0.0, |angle| *angle as f64 / fixed(1.0) as f64);
-            let values = [x, z, unwound(body.orientation, before), v_x, v_z, body.angular_velocity[1]];
+            let values = [x, z, unwound(body.orientation, before), v_x, v_z, body.angular_velocity[1], y];
             channels.iter_mut().zip(values).for_each(|(channel, value)| channel.push(fixed(value)));
         }
         let gaps = self.mechanism.contacts(&state.position).into_iter().map(|contact| contact.gap);
@@ -165,12 +165,14 @@ impl<'a> Table<'a> {
     /// r, u and ŷ of a contact that was active.
     fn contact(&mut self, place: &Place, parts: [&[f64]; 3]) {
         let slot = Slot(place.bodies.0, place.bodies.1.map_or(-1, |body| body as isize), place.features);
-        let at = self.slots.iter().position(|known| *known == slot).unwrap_or_else(|| {
+        // one that has acted in this step is another one with the same features
+        let free = |at: &usize| self.slots[*at] == slot && self.contacts[*at][0].last() == Some(&0);
+        let at = (0..self.slots.len()).find(free).unwrap_or_else(|| {
             self.slots.push(slot);
             self.contacts.push(std::array::from_fn(|_| vec![0; self.samples]));
             self.slots.len() - 1
         });
-        let values = parts.into_iter().flat_map(|part| [part[0], part.get(1).copied().unwrap_or(0.0)]).map(fixed);
+        let values = parts.into_iter().flat_map(|part| [0, 1, 2].map(|row| part.get(row).copied().unwrap_or(0.0))).map(fixed);
         let channels = self.contacts[at].iter_mut().zip(std::iter::once(1).chain(values));
         channels.for_each(|(channel, value)| channel.last_mut().into_iter().for_each(|last| *last = value));
     }

@@ -2,18 +2,19 @@
 //
 // It promises { refused } with what the scheme says, or a run in SI units, sample 0 the start and sample k the end of step k:
 //   { note, scheme, law, h, steps, limit, ground: [n_x, n_z, c] or null,
-//     bodies: [{ name, size, x, z, angle, vx, vz, omega }], energy, gap, natural, relative, verdict, word,
-//     contacts: [{ bodies: [first, second or -1], active, rn, rt, un, ut, yn, yt }] }
-// Every name of a sample's numbers is a list over the samples. natural and relative are null where nothing was solved, and
-// Infinity where they are no number; verdict is 0 (nothing solved), 1 (accepted), 2 (unconverged by declaration) or 3 (rejected).
+//     bodies: [{ name, size, x, z, angle, vx, vz, omega, y }], energy, gap, natural, relative, verdict, word,
+//     contacts: [{ bodies: [first, second or -1], active, rn, rt, rs, un, ut, us, yn, yt, ys }] }
+// t is the tangent in the plane of the picture, s the one across it. Every name of a sample's numbers is a list over the samples.
+// natural and relative are null where nothing was solved, and Infinity where they are no number; verdict is 0 (nothing solved),
+// 1 (accepted), 2 (unconverged by declaration) or 3 (rejected).
 // Here the runs are read from scripts that `moreau report` wrote. Whatever else gives the same promise may take this file's place.
 "use strict";
 const moreau = (() => {
   const kept = new Map(), asked = new Map();
   const folder = document.currentScript.src.replace(/[^/]*$/, "");
-  const BODY = ["x", "z", "angle", "vx", "vz", "omega"];
+  const BODY = ["x", "z", "angle", "vx", "vz", "omega", "y"];
   const WHOLE = ["energy", "gap", "natural", "relative", "verdict", "word"];
-  const CONTACT = ["active", "rn", "rt", "un", "ut", "yn", "yt"];
+  const CONTACT = ["active", "rn", "rt", "rs", "un", "ut", "us", "yn", "yt", "ys"];
 
   // A channel: its order, then its differences; see code.rs.
   const reader = (text) => {

@@ -39,14 +39,11 @@ fn a_stored_run_is_the_recording_of_the_library_to_six_decimals() {
         for (k, state) in recording.samples.iter().enumerate() {
             assert_eq!(channels[3 * WIDTHS[0]][k], fixed(mechanism.energy(state)), "{} at {k}", scheme.id);
             for (one, body) in mechanism.bodies(&state.position, &state.velocity).iter().enumerate() {
-                let told = [body.position[0], body.position[2], body.linear_velocity[0], body.linear_velocity[2]].map(fixed);
-                let kept = [0, 1, 3, 4].map(|part| channels[WIDTHS[0] * one + part][k]);
-                assert_eq!(kept, told, "{} of {} at {k}", body.name, scheme.id);
-                assert_eq!(fixed(body.position[1]), 0, "a view from the side hides nothing: {} at {k}", scheme.id);
+                let ([x, y, z], [v_x, _, v_z]) = (body.position, body.linear_velocity);
+                let kept = [0, 1, 3, 4, 6].map(|part| channels[WIDTHS[0] * one + part][k]);
+                assert_eq!(kept, [x, z, v_x, v_z, y].map(fixed), "{} of {} at {k}", body.name, scheme.id);
             }
         }
-        let aside = recording.impulses.iter().flatten().filter_map(|one| one.impulse.get(2).copied()).map(fixed);
-        assert!(aside.into_iter().all(|part| part.abs() <= 1), "the second tangent carries nothing: {}", scheme.id);
     }
 }
 
@@ -59,7 +56,7 @@ fn impulse_and_law_velocity_lie_in_the_cones_and_at_right_angles() {
         for slot in 0..run.contacts.len() {
             let parts = contact(&channels, 1, slot);
             for k in (1..=run.steps).filter(|k| parts[0][*k] == 1) {
-                let [r_n, r_t, _, u_t, y_n, y_t] = [1, 2, 3, 4, 5, 6].map(|part| parts[part][k] as f64 / fixed(1.0) as f64);
+                let [r_n, r_t, u_t, y_n, y_t] = [1, 2, 5, 7, 8].map(|part| parts[part][k] as f64 / fixed(1.0) as f64);
                 // one digit of every number
                 let off = 4.0 / fixed(1.0) as f64;
                 assert!(r_t.abs() <= mu * r_n + off && mu * y_t.abs() <= y_n + off, "{} at {k}", scheme.id);

@@ -4,7 +4,7 @@ use crate::Words;
 use moreau_replicas::staging::{PLASTIC, SOFT};
 
 /// What the program puts in, by the name that it knows it by.
-pub const TEXTS: [(&str, Words); 34] = [
+pub const TEXTS: [(&str, Words); 36] = [
     ("play", Words { en: "Play", zh: "播放" }),
     ("pause", Words { en: "Pause", zh: "暂停" }),
     ("step", Words { en: "step", zh: "第" }),
@@ -31,6 +31,8 @@ pub const TEXTS: [(&str, Words); 34] = [
     ("more", Words { en: "contacts active; the largest impulse", zh: "个接触起作用;其中最大冲量" }),
     ("open", Words { en: "no contact active", zh: "没有起作用的接触" }),
     ("ground", Words { en: "ground", zh: "地面" }),
+    ("across", Words { en: "across", zh: "面外" }),
+    ("away", Words { en: "in space the bodies leave the plane of the picture, by up to", zh: "在空间中物体离开图面,至多" }),
     ("primal", Words { en: "primal", zh: "原始" }),
     ("dual", Words { en: "dual", zh: "对偶" }),
     ("complementarity", Words { en: "complementarity", zh: "互补" }),
