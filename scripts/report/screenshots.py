@@ -4,12 +4,14 @@ import pathlib
 
 from .browser import DESKTOP, PHONE, Browser
 
+LOW = {"width": 1280, "height": 620}
+
 # name, page, anchor, size, scheme
 PICTURES = (
     ("front", "index.html", DESKTOP, "light"),
     ("front-dark", "index.html", DESKTOP, "dark"),
     ("front-phone", "zh/index.html", PHONE, "light"),
-    ("claim", "section-S4.html#S4.copos-plus", DESKTOP, "light"),
+    ("claim", "section-S4.html#S4.copos-plus", LOW, "light"),
     ("claim-phone", "zh/section-S4.html#S4.copos-plus", PHONE, "dark"),
     ("claims", "claims.html#q=zeno&verdict=false", DESKTOP, "light"),
     ("errata", "zh/errata.html", DESKTOP, "light"),

@@ -7,7 +7,7 @@ import re
 import unicodedata
 import urllib.parse
 
-MOST_BYTES = 15 * 1024 * 1024
+MOST_BYTES = 15_000_000
 KEYS = {"TRUE": "true", "TRUE WITH CONDITIONS": "conditional", "FALSE AS STATED": "false", "INTERNALLY INCONSISTENT": "inconsistent", "AMBIGUOUS": "ambiguous"}
 AXES = ("section", "verdict", "severity", "kind", "evidence")
 
@@ -73,7 +73,7 @@ def words_of(claim: dict) -> str:
 def too_large(folder: pathlib.Path) -> list[str]:
     """Whether the report is larger than it may be."""
     size = sum(file.stat().st_size for file in folder.rglob("*") if file.is_file())
-    print(f"size: {size / 1024 / 1024:.2f} MiB, at most {MOST_BYTES // 1024 // 1024}", flush=True)
+    print(f"size: {size / 1e6:.1f} MB, at most {MOST_BYTES / 1e6:.0f}", flush=True)
     return [f"the report has {size} bytes"] if size > MOST_BYTES else []
 
 

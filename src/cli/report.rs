@@ -6,7 +6,7 @@ use super::verify::judge;
 use super::{Answer, progress};
 use crate::claims::{self, CHAPTER, Claim, JudgedClaim};
 use crate::matrix::{Source, rows, sources};
-use crate::report::json::pretty;
+use crate::report::json::compact;
 use crate::report::site::document::{FILE, ReportDocument};
 use crate::report::site::{Gathered, defects};
 use crate::stored::RUNS;
@@ -70,7 +70,7 @@ fn written(claims: &[&'static Claim], planted: &[Source], bar: &ProgressBar) -> 
     };
     let mut files = pages::site(&gathered.report(), &done)?;
     let names: Vec<String> = files.iter().map(|file| file.path.clone()).collect();
-    let text = pretty(&ReportDocument::new(&gathered, &names))?;
+    let text = compact(&ReportDocument::new(&gathered, &names))?;
     files.push(File { path: FILE.into(), text });
     Ok((gathered, files))
 }

@@ -1,7 +1,7 @@
 //! A judged claim as the pages show it: numbers rounded as in the terminal, verdicts as they were judged.
 
 use crate::checks::{Finding, Voice};
-use crate::claims::{Claim, ClaimVerdict, JudgedClaim, PLACES, Place, derive, errata, original, title, title_in_tex};
+use crate::claims::{Claim, ClaimVerdict, JudgedClaim, PLACES, Place, derive, errata, original, title_in_tex};
 use crate::claims::{Evidence as Grade, Kind as Sentence, Severity as Wrong};
 use crate::number::two_digits;
 use crate::report::explanation::{comes_out_otherwise, elsewhere};
@@ -19,7 +19,7 @@ pub fn entry(outcome: &JudgedClaim) -> ClaimEntry {
         group: claim.section().into(),
         title: title_in_tex(claim.id).into(),
         statement: claim.statement.into(),
-        words: [claim.id, title(claim.id), &claim.statement(), &claim.correct_statement()].join(" "),
+        plain: [claim.statement(), claim.correct_statement()],
         verdict: verdict(claim.verdict),
         kind: kind(claim.kind),
         severity: claim.severity.map(severity),

@@ -2,6 +2,7 @@
 
 use super::axes::{Axis, Verdict};
 use super::data::{ClaimEntry, ControlEntry, Erratum, FindingEntry, PlaceEntry, Voice};
+use super::prose::prose;
 use super::view::View;
 use crate::{Language, Words};
 use maud::{Markup, html};
@@ -16,7 +17,8 @@ const FINDINGS: Words = Words { en: "Every finding", zh: "全部结果" };
 const CONTROLS: Words = Words { en: "Controls: other subjects under the same check", zh: "对照:用同一检查考察其他对象" };
 const OTHER_VERDICT: Words = Words { en: "with this control the verdict is: ", zh: "用此对照得到的结论是:" };
 const OTHERWISE: Words = Words { en: "with this control something else is found", zh: "用此对照得到不同的结果" };
-const PLACE: Words = Words { en: "Place in the chapter", zh: "在本章中的位置" };
+/// The heading of the places.
+pub const PLACE: Words = Words { en: "Place in the chapter", zh: "在本章中的位置" };
 const PARAGRAPH: Words =
     Words { en: "{0}paragraph {1} (line {2}, {3} % of the text): ", zh: "{0}第 {1} 段(第 {2} 行,全文 {3} % 处):" };
 const ABSENT: Words = Words { en: "Not in the chapter: ", zh: "本章没有这句话:" };
@@ -67,6 +69,7 @@ pub fn article(view: &View, claim: &ClaimEntry) -> Markup {
             (repetitions(view, claim))
             h3 { (view.say(SAYS)) }
             blockquote { (view.english(&claim.statement)) (in_chinese(view, claim, |erratum| &erratum.says)) }
+            h3 { (view.say(PLACE)) }
             (places(view, claim))
             @if let Some(finding) = &claim.deciding {
                 h3 { (view.say(DECIDING)) }
@@ -102,7 +105,6 @@ pub fn repetitions(view: &View, claim: &ClaimEntry) -> Markup {
 /// Where the chapter says it.
 pub fn places(view: &View, claim: &ClaimEntry) -> Markup {
     html! {
-        h3 { (view.say(PLACE)) }
         ul.places {
             @for place in &claim.places { li { (where_it_is(view, place)) q lang="zh-Hans" { (place.words) } } }
             @if let Some(reason) = &claim.absent { li { (view.say(ABSENT)) (view.english(reason)) } }
@@ -167,8 +169,8 @@ fn row(view: &View, finding: &FindingEntry) -> Markup {
         tr {
             td { span class={ "role " (finding.role.key()) } { (view.say(finding.role.words())) } }
             td { (view.english(&finding.name)) (unmet(view, finding)) }
-            td.n { (view.english(&finding.found)) }
-            td.n { (view.english(&finding.expected)) }
+            td.n { (prose(&finding.found)) }
+            td.n { (prose(&finding.expected)) }
             td { @if let Some(stated) = &finding.stated { (view.english(stated)) } (voice(view, finding)) }
             td.n { (finding.used.as_deref().unwrap_or("")) }
         }

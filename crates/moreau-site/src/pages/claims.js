@@ -6,7 +6,7 @@
   var shown = document.getElementById("shown");
   var plain = function (text) { return text.normalize("NFKC").toLowerCase(); };
   var claims = Array.prototype.map.call(document.getElementById("claims").children, function (item) {
-    var texts = [item.querySelector("b"), item.querySelector("a")].concat(Array.prototype.slice.call(item.querySelectorAll("[data-text]")));
+    var texts = [item.querySelector("a")].concat(Array.prototype.slice.call(item.querySelectorAll("[data-text]")));
     return { item: item, text: plain(texts.map(function (one) { return one.textContent; }).join(" ")) };
   });
 

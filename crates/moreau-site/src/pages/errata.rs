@@ -1,7 +1,7 @@
 //! The errata sheet for the author of the chapter: place, printed words, what is wrong, how it should read, how much is wrong.
 
 use super::axes::{Axis, Severity, Verdict};
-use super::claim::{places, standing};
+use super::claim::{PLACE, places, standing};
 use super::data::ClaimEntry;
 use super::frame::document;
 use super::section::title;
@@ -66,6 +66,7 @@ fn erratum(view: &View, claim: &ClaimEntry) -> Markup {
         article.erratum id=(claim.id) {
             h3 { a.anchor href={ "#" (claim.id) } { (claim.id) } " " (view.english(&claim.title)) }
             (standing(view, claim))
+            h4 { (view.say(PLACE)) }
             (places(view, claim))
             (printed(view, claim))
             (corrected(view, claim))

@@ -26,7 +26,7 @@ const SOME: Words = Words {
     en: "{0} claims are not supported by what was found in this run: ",
     zh: "本次运行中有 {0} 条论断的结论与所得结果不符:",
 };
-const WRONG: Words = Words { en: "What is wrong where a claim does not hold", zh: "不成立之处的问题类型" };
+const WRONG: Words = Words { en: "What is wrong", zh: "问题类型" };
 const EVIDENCE: Words = Words { en: "Evidence", zh: "证据等级" };
 const MORE: Words = Words { en: "What else was checked", zh: "其他检验" };
 const SECTIONS: Words = Words { en: "The chapter, section by section", zh: "逐节结果" };

@@ -8,7 +8,8 @@ pub fn prose(text: &str) -> Markup {
     formula::html(text).unwrap_or_else(|_| with_code(text))
 }
 
-fn with_code(text: &str) -> Markup {
+/// A text with what stands between two backticks as code.
+pub fn with_code(text: &str) -> Markup {
     let parts: Vec<&str> = text.split('`').collect();
     if parts.len().is_multiple_of(2) {
         return html! { (text) };

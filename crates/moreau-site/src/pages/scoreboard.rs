@@ -5,7 +5,7 @@
 use super::frame::document;
 use super::front;
 use super::view::View;
-use crate::Words;
+use crate::{Language, Words};
 use maud::{Markup, html};
 use moreau_exact::number::significant;
 use moreau_gate::cause::{self, Cause, Component};
@@ -17,7 +17,7 @@ const TITLE: Words = Words { en: "Engines through one set of checks", zh: "引�
 const LEAD: Words = Words {
     en: "Stored results. A mark leads to the number that decided it, the name of a check to its question. Sentences about engines are \
          English.",
-    zh: "已存结果。点击标记可看到决定它的数值,点击检查名可看到它的问题。关于引擎的说明文字为英文。",
+    zh: "已存结果。点击标记可看到决定它的数值,点击检查名可看到它的问题;这些说明文字为英文,列在英文页上。",
 };
 const ENGINE: Words = Words { en: "engine", zh: "引擎" };
 const ENGINES: Words = Words { en: "The engines", zh: "各引擎" };
@@ -45,12 +45,32 @@ pub fn page(view: &View) -> String {
         ul.counts { @for verdict in ORDER { li { (mark(verdict)) " " (view.say(meaning(verdict))) } } }
         h2 { (view.say(ENGINES)) }
         (view.scrolled(view.say(ENGINES), &counts(view, standings)))
-        h2 { (view.say(SHOWS)) }
-        div lang="en" { (highlights::html(standings)) }
+        @if has_sentences(view) {
+            h2 { (view.say(SHOWS)) }
+            (highlights::html(standings))
+        }
         h2 { (view.say(EVERY_CHECK)) }
         (view.scrolled(view.say(EVERY_CHECK), &matrix(view, standings)))
+        @if has_sentences(view) { (sentences(view)) }
+    };
+    document(view, view.say(TITLE), &body)
+}
+
+/// Whether the sentences about engines, which are English, stand on this page; the Chinese one leads to them.
+fn has_sentences(view: &View) -> bool {
+    view.language == Language::English
+}
+
+/// A link to a sentence about engines.
+fn sentence_link(view: &View, anchor: &str) -> String {
+    if has_sentences(view) { format!("#{anchor}") } else { format!("{}#{anchor}", view.twin().1) }
+}
+
+/// Every number with its cause, and the questions of the checks.
+fn sentences(view: &View) -> Markup {
+    html! {
         h2 { (view.say(EVERY_NUMBER)) }
-        @for standing in standings { (numbers(view, standing)) }
+        @for standing in view.report.standings { (numbers(view, standing)) }
         h2 { (view.say(CAUSES)) }
         @for (k, cause) in view.report.causes.iter().enumerate() { (reason(view, k, cause)) }
         h2 { (view.say(CHECKS)) }
@@ -60,8 +80,7 @@ pub fn page(view: &View) -> String {
                 dd { (view.english(check.question)) }
             }
         }
-    };
-    document(view, view.say(TITLE), &body)
+    }
 }
 
 fn mark(verdict: Verdict) -> &'static str {
@@ -117,7 +136,7 @@ fn counts(view: &View, standings: &[Standing]) -> Markup {
             tbody {
                 @for standing in standings {
                     tr {
-                        th scope="row" { (name(standing)) }
+                        th scope="row" { (name(view, standing)) }
                         @match &standing.report {
                             Some(report) => { @for verdict in ORDER { td.n { (report.count(verdict)) } } },
                             None => { td colspan="5" { (not_run(view, standing)) } },
@@ -130,9 +149,9 @@ fn counts(view: &View, standings: &[Standing]) -> Markup {
 }
 
 /// The name of an engine, which leads to its numbers, and its version.
-fn name(standing: &Standing) -> Markup {
+fn name(view: &View, standing: &Standing) -> Markup {
     html! {
-        a href={ "#engine:" (standing.entry.name) } { (standing.entry.name) }
+        a href=(sentence_link(view, &format!("engine:{}", standing.entry.name))) { (standing.entry.name) }
         @if let Some(report) = &standing.report { " " small { (report.engine.name) " " (report.engine.version) } }
     }
 }
@@ -146,12 +165,12 @@ fn matrix(view: &View, standings: &[Standing]) -> Markup {
         table.matrix {
             thead { tr {
                 th scope="col" { (view.say(ENGINE)) }
-                @for check in checks::all() { th scope="col" { a href={ "#check:" (check.name) } { (check.name) } } }
+                @for check in checks::all() { th scope="col" { a href=(sentence_link(view, &format!("check:{}", check.name))) { (check.name) } } }
             } }
             tbody {
                 @for standing in standings {
                     tr {
-                        th scope="row" { (name(standing)) }
+                        th scope="row" { (name(view, standing)) }
                         @match &standing.report {
                             Some(report) => { @for check in checks::all() { (cell(view, &standing.entry.name, report, check.name)) } },
                             None => { td colspan=(checks::all().count()) { (not_run(view, standing)) } },
@@ -169,7 +188,7 @@ fn cell(view: &View, engine: &str, report: &Report, check: &str) -> Markup {
     let word = view.say(short(outcome.verdict));
     html! {
         td class=(outcome.verdict.word()) {
-            a href={ "#" (engine) ":" (check) } aria-label={ (engine) ", " (check) ": " (word) } { (mark(outcome.verdict)) }
+            a href=(sentence_link(view, &format!("{engine}:{check}"))) aria-label={ (engine) ", " (check) ": " (word) } { (mark(outcome.verdict)) }
         }
     }
 }

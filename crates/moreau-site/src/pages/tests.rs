@@ -67,7 +67,7 @@ fn claim(id: &str, group: &str, verdict: Verdict, text: &str) -> ClaimEntry {
         group: group.into(),
         title: text.into(),
         statement: text.into(),
-        words: text.into(),
+        plain: [text.into(), text.into()],
         verdict,
         kind: Kind::Assertion,
         severity: verdict.needs_correction().then_some(Severity::BrokenTheorem),

@@ -1,7 +1,7 @@
 //! A page in one language: its fixed texts, its links, and which words on it are of the other language.
 
 use super::data::Report;
-use super::prose::prose;
+use super::prose::{prose, with_code};
 use crate::{Language, Words};
 use maud::{Markup, html};
 
@@ -30,6 +30,15 @@ impl View<'_> {
     /// English prose; on a Chinese page it is marked as English.
     pub fn english(&self, text: &str) -> Markup {
         let words = prose(text);
+        match self.language {
+            Language::English => words,
+            Language::Chinese => html! { span lang="en" { (words) } },
+        }
+    }
+
+    /// English prose without formulas, whose letters are as they are.
+    pub fn letters(&self, text: &str) -> Markup {
+        let words = with_code(text);
         match self.language {
             Language::English => words,
             Language::Chinese => html! { span lang="en" { (words) } },
