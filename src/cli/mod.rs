@@ -16,6 +16,7 @@ mod defects;
 mod drake_options;
 mod dump_options;
 mod engine;
+mod folder;
 mod gate;
 mod kind;
 mod limits;
@@ -33,6 +34,7 @@ mod problems;
 pub mod progress;
 mod protocol_check;
 pub mod remarks;
+mod report;
 mod residual_names;
 mod scene;
 mod schema;
@@ -68,6 +70,7 @@ What do you want to do?
   Know whether a sentence of the book is true
     moreau verify --list --search zeno            the claims that speak of it
     moreau verify --explain S4.copos-plus         one claim: witness, corrected theorem, sources
+    moreau report --out report                    everything as pages: open report/index.html
   Solve a contact problem, or know whether an answer is one
     moreau new problem --out problem.json         a file to begin with
     moreau solve problem.json --out answer.json
@@ -92,6 +95,7 @@ Exit codes:
 #[derive(Subcommand)]
 enum Command {
     Verify(verify::Arguments),
+    Report(report::Arguments),
     Solve(solve::Arguments),
     Certify(certify::Arguments),
     Bench(bench::Arguments),
@@ -128,6 +132,7 @@ pub fn run_with<T: Into<OsString> + Clone>(arguments: impl IntoIterator<Item = T
     };
     let answer = match arguments.command {
         Command::Verify(arguments) => verify::run(&arguments),
+        Command::Report(arguments) => report::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Certify(arguments) => certify::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),

@@ -111,7 +111,7 @@ fn explain(id: &str, format: Format) -> Result<Answer> {
 }
 
 /// How a claim is judged.
-type Judge = fn(&'static Claim) -> JudgedClaim;
+pub(super) type Judge = fn(&'static Claim) -> JudgedClaim;
 
 /// Judges claims in parallel; the answer is in the order of the question.
 fn judge_all(claims: &[&'static Claim], by: Judge) -> Vec<JudgedClaim> {
@@ -125,7 +125,7 @@ fn judge_all(claims: &[&'static Claim], by: Judge) -> Vec<JudgedClaim> {
 }
 
 /// Judges one claim; a check that panics fails alone instead of taking the others with it.
-fn judge(claim: &'static Claim, by: Judge) -> JudgedClaim {
+pub(super) fn judge(claim: &'static Claim, by: Judge) -> JudgedClaim {
     catch_unwind(|| by(claim)).unwrap_or_else(|_| JudgedClaim {
         claim,
         findings: Vec::new(),

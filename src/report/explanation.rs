@@ -78,7 +78,7 @@ fn control(outcome: &JudgedClaim, place: usize, findings: &[Finding], style: Sty
 
 /// Whether a finding of a control is to be shown: it is moved, bears otherwise on the sentence, is held against another statement of a
 /// passage, or stands in the place of none.
-fn comes_out_otherwise(finding: &Finding, findings: &[Finding], recorded: &[Finding]) -> bool {
+pub(super) fn comes_out_otherwise(finding: &Finding, findings: &[Finding], recorded: &[Finding]) -> bool {
     let Some(above) = counterpart(finding, findings, recorded) else { return true };
     let passage = matches!(finding.bearing.voice, Voice::Passage(_));
     let reworded = passage && above.stated() != finding.stated();
@@ -87,7 +87,7 @@ fn comes_out_otherwise(finding: &Finding, findings: &[Finding], recorded: &[Find
 }
 
 /// A finding of a control: that a condition is not met is said of the recorded instance, not of this one.
-fn elsewhere(finding: &Finding) -> Finding {
+pub(super) fn elsewhere(finding: &Finding) -> Finding {
     let mut finding = finding.clone();
     finding.bearing.violated = None;
     finding

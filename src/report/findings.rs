@@ -9,12 +9,17 @@ const LONG: usize = 24;
 
 /// A finding in short: its name and the measured value.
 pub(super) fn found(finding: &Finding) -> String {
+    format!("{}: {}", finding.name, measured(finding))
+}
+
+/// The measured value with its unit.
+pub(super) fn measured(finding: &Finding) -> String {
     let number = match &finding.exact {
         Some([measured, _]) if measured.chars().count() > LONG => format!("≈ {}", significant(finding.measured)),
         Some([measured, _]) => measured.clone(),
         None => as_precise(finding.measured, finding),
     };
-    format!("{}: {}", finding.name, with_unit(&number, finding.unit))
+    with_unit(&number, finding.unit)
 }
 
 pub(super) fn judged(finding: &Finding) -> String {
@@ -34,11 +39,16 @@ fn used(finding: &Finding) -> String {
 
 /// What was expected, with how far the found number may differ.
 fn expected(finding: &Finding) -> String {
+    format!("expected {}", awaited(finding))
+}
+
+/// The same without the word.
+pub(super) fn awaited(finding: &Finding) -> String {
     let Expectation { value, tolerance, relation, .. } = finding.expectation;
     match (&finding.exact, relation) {
-        (Some(_), _) => format!("expected {}", said(finding)),
-        (None, Relation::Equal) => format!("expected {} ± {}", as_precise(value, finding), two_digits(tolerance)),
-        (None, _) => format!("expected {} {}", relation.sign(), as_precise(value, finding)),
+        (Some(_), _) => said(finding),
+        (None, Relation::Equal) => format!("{} ± {}", as_precise(value, finding), two_digits(tolerance)),
+        (None, _) => format!("{} {}", relation.sign(), as_precise(value, finding)),
     }
 }
 
@@ -64,7 +74,7 @@ pub(super) fn bearing(finding: &Finding) -> String {
 }
 
 /// What the sentence says, rounded for reading, with how far the found number may differ from it.
-fn stated(finding: &Finding) -> String {
+pub(super) fn stated(finding: &Finding) -> String {
     if says_more_than_rounding(finding) {
         return "more than 0".into();
     }

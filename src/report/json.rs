@@ -208,6 +208,14 @@ pub fn pretty<T: Serialize + ?Sized>(value: &T) -> Result<String> {
     serde_json::to_string_pretty(value).map(|text| text + "\n").map_err(Error::Json)
 }
 
+/// JSON on one line, for what no one reads as it is.
+///
+/// # Errors
+/// [`Error::Json`] if the value cannot be written as JSON.
+pub fn compact<T: Serialize + ?Sized>(value: &T) -> Result<String> {
+    serde_json::to_string(value).map(|text| text + "\n").map_err(Error::Json)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -20,6 +20,7 @@ pub mod problems;
 pub mod proofs;
 mod quantity;
 pub mod schemas;
+pub mod site;
 pub mod steps;
 pub mod summary;
 pub mod systems;

@@ -76,11 +76,11 @@ impl Line {
 }
 
 /// A size to two digits, or a dash.
-fn size(number: Option<f64>) -> String {
+pub(super) fn size(number: Option<f64>) -> String {
     number.map_or("–".into(), |number| if number == 0.0 { "0".into() } else { format!("{number:.1e}") })
 }
-
-fn friction([least, most]: [f64; 2]) -> String {
+/// The smallest and the largest μ, or the one that there is.
+pub(super) fn friction([least, most]: [f64; 2]) -> String {
     if least == most { significant(least) } else { format!("{}–{}", significant(least), significant(most)) }
 }
 

@@ -10,6 +10,7 @@ use super::lcp_proof::Counted;
 use super::no_answer::NoAnswer;
 use super::peers::PeerReport;
 use super::problems::Line;
+use super::site::document::ReportDocument;
 use super::summary::MotionSummary;
 use super::witnesses::WitnessDocument;
 use crate::gate::baseline::Baseline;
@@ -34,7 +35,7 @@ pub struct Format {
 }
 
 /// Every message and file format.
-pub const FORMATS: [Format; 27] = [
+pub const FORMATS: [Format; 28] = [
     Format { name: "request", about: "a line from the gate to an engine", generate: written::<Request> },
     Format { name: "reply", about: "the line that answers it", generate: read::<ReplyForm> },
     Format { name: "description", about: "the result of `describe`", generate: read::<Description> },
@@ -77,6 +78,7 @@ pub const FORMATS: [Format; 27] = [
     Format { name: "verify-list", about: "what `moreau verify --list` writes", generate: written::<Vec<ClaimEntry>> },
     Format { name: "verify-explain", about: "what `moreau verify --explain` writes", generate: written::<ExplanationEntry> },
     Format { name: "witnesses", about: "witnesses/1, what `moreau verify --export` writes", generate: written::<WitnessDocument> },
+    Format { name: "report", about: "report/1, what `moreau report` writes for programs", generate: written::<ReportDocument> },
     Format { name: "comparison", about: "what `moreau compare` writes", generate: written::<Comparison> },
 ];
 

@@ -134,7 +134,7 @@ fn id_width<'a>(claims: impl Iterator<Item = &'a Claim>) -> usize {
 }
 
 /// The finding that the verdict turns on: the first that refutes the sentence, or, where none does, the first that decides.
-fn decisive(outcome: &JudgedClaim) -> Option<&Finding> {
+pub(super) fn decisive(outcome: &JudgedClaim) -> Option<&Finding> {
     let mut deciding = outcome.findings.iter().filter(|finding| !finding.bearing.context);
     deciding.clone().find(|finding| !finding.supports()).or_else(|| deciding.next())
 }
@@ -151,16 +151,21 @@ fn alarm_word(status: &Status) -> Option<&'static str> {
 
 /// Says in full what keeps an outcome from being supported.
 pub(super) fn complain(text: &mut String, outcome: &JudgedClaim, style: Style) {
-    let Some(word) = alarm_word(&outcome.status) else { return };
+    let Some((word, reason)) = complaint(outcome) else { return };
+    line(text, &style.wrapped("", "  ", &format!("{} {}: {reason}", style.alarm(word), outcome.claim.id)));
+    let failing = outcome.findings.iter().filter(|finding| !finding.holds());
+    failing.for_each(|finding| line(text, &style.wrapped("", "          ", &judged(finding))));
+}
+
+/// What keeps an outcome from being supported: a word and the reason; none for one that is supported.
+pub(super) fn complaint(outcome: &JudgedClaim) -> Option<(&'static str, String)> {
     let reason = match &outcome.status {
         Status::Failed(reason) => format!("the check could not be carried out: {reason}"),
         Status::ControlPassed => "the control passed too, so the check cannot tell the verdict from its opposite".into(),
         Status::OtherVerdict(found) => format!("the findings say: {found}; recorded is: {}", outcome.claim.verdict.words()),
         Status::Contradicted | Status::Supported => "the evidence speaks against the recorded verdict".into(),
     };
-    line(text, &style.wrapped("", "  ", &format!("{} {}: {reason}", style.alarm(word), outcome.claim.id)));
-    let failing = outcome.findings.iter().filter(|finding| !finding.holds());
-    failing.for_each(|finding| line(text, &style.wrapped("", "          ", &judged(finding))));
+    Some((alarm_word(&outcome.status)?, reason))
 }
 
 pub(super) fn line(text: &mut String, content: &str) {

@@ -11,6 +11,7 @@ mod joints;
 mod limits;
 mod new;
 mod problems;
+mod report;
 mod schema;
 mod scoreboard;
 mod shell;

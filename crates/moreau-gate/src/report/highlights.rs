@@ -149,7 +149,7 @@ impl Table<'_> {
     fn html(&self) -> Markup {
         html! {
             table {
-                thead { tr { th {} @for at in &self.heading { th { (at) } } } }
+                thead { tr { th { "engine" } @for at in &self.heading { th { (at) } } } }
                 tbody {
                     @for (name, values) in &self.rows {
                         tr { td { (name) } @for value in values { td.n { (value) } } @if values.is_empty() { td { "not run" } } }

@@ -1,0 +1,87 @@
+//! What every page has: its head, the way to the other pages, and the same page in the other language.
+
+use super::view::View;
+use crate::{Language, Words};
+use maud::{DOCTYPE, Markup, html};
+
+/// Every page that the menu names, with its file.
+pub const MENU: [(&str, Words); 11] = [
+    ("index.html", Words { en: "Overview", zh: "总览" }),
+    ("claims.html", Words { en: "Claims", zh: "论断" }),
+    ("errata.html", Words { en: "Errata", zh: "勘误表" }),
+    ("pictures.html", Words { en: "Pictures", zh: "图示" }),
+    ("explorer.html", Words { en: "Explorer", zh: "交互试验" }),
+    ("systems.html", Words { en: "Systems", zh: "系统" }),
+    ("scoreboard.html", Words { en: "Scoreboard", zh: "引擎记分板" }),
+    ("problems.html", Words { en: "Problems", zh: "接触问题集" }),
+    ("defects.html", Words { en: "Planted mistakes", zh: "植入的错误" }),
+    ("obtained.html", Words { en: "Origins", zh: "数据来源" }),
+    ("summary.html", Words { en: "To print", zh: "两页打印摘要" }),
+];
+
+const SKIP: Words = Words { en: "To the content", zh: "跳到正文" };
+const PAGES: Words = Words { en: "Pages", zh: "页面" };
+const STAYS_ENGLISH: Words = Words {
+    en: "Words of the chapter are quoted in Chinese.",
+    zh: "说明:论断的陈述、论证与更正由程序以英文保存,本页原样引用;本章原文的引文为中文。",
+};
+const WRITTEN: Words = Words { en: "Written by moreau {0} on {1}.", zh: "由 moreau {0} 于 {1} 生成。" };
+const AGAIN: Words = Words { en: "Make it again:", zh: "重新生成:" };
+
+/// How the other language calls itself.
+fn name(language: Language) -> &'static str {
+    match language {
+        Language::English => "English",
+        Language::Chinese => "中文",
+    }
+}
+
+/// A whole page.
+pub fn document(view: &View, title: &str, body: &Markup) -> String {
+    let page = html! {
+        (DOCTYPE)
+        html lang=(view.language.tag()) {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                title { (title) " – moreau" }
+                link rel="stylesheet" href=(view.shared("style.css"));
+            }
+            body {
+                a.skip href="#content" { (view.say(SKIP)) }
+                (head(view))
+                main #content tabindex="-1" { (body) }
+                (foot(view))
+            }
+        }
+    };
+    page.into_string()
+}
+
+fn head(view: &View) -> Markup {
+    let (other, twin) = view.twin();
+    html! {
+        header.top {
+            nav aria-label=(view.say(PAGES)) {
+                ul {
+                    @for (file, words) in MENU {
+                        li { a href=(file) aria-current=[(file == view.file).then_some("page")] { (view.say(words)) } }
+                    }
+                }
+            }
+            a.language href=(twin) lang=(other.tag()) hreflang=(other.tag()) { (name(other)) }
+        }
+    }
+}
+
+fn foot(view: &View) -> Markup {
+    html! {
+        footer {
+            p { (view.say(STAYS_ENGLISH)) }
+            p {
+                (view.tell(WRITTEN, &[&view.report.version, &view.report.day])) " "
+                (view.say(AGAIN)) " " code { "moreau report --out FOLDER" }
+            }
+        }
+    }
+}

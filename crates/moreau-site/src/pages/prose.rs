@@ -1,0 +1,34 @@
+//! Texts that come from claims, engines and files: escaped, with code between backticks and formulas between dollar signs.
+
+use maud::{Markup, html};
+use moreau_checks::formula;
+
+/// A text as markup. What is no formula although it has the marks of one – a path with a backslash, a price – stays as it is.
+pub fn prose(text: &str) -> Markup {
+    formula::html(text).unwrap_or_else(|_| with_code(text))
+}
+
+/// A text with what stands between two backticks as code.
+pub fn with_code(text: &str) -> Markup {
+    let parts: Vec<&str> = text.split('`').collect();
+    if parts.len().is_multiple_of(2) {
+        return html! { (text) };
+    }
+    html! {
+        @for (k, part) in parts.iter().enumerate() {
+            @if k % 2 == 1 { code { (part) } } @else { (part) }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn formulas_become_mathml_and_what_is_none_stays_as_it_is() {
+        assert!(prose("the gap $x_1$").into_string().contains("<math"));
+        assert_eq!(prose(r"C:\new `a<b` & $5").into_string(), r"C:\new <code>a&lt;b</code> &amp; $5");
+        assert_eq!(prose("one ` alone").into_string(), "one ` alone");
+    }
+}

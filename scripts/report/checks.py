@@ -1,0 +1,166 @@
+"""The checks of a written report; each returns what is wrong."""
+
+import pathlib
+import re
+import time
+from collections.abc import Callable, Iterable
+
+from . import site
+from .browser import DESKTOP, EVERYTHING_OPEN, PHONE, Browser
+
+PRINTED_PAGES = 2
+TAP = 44
+# What stands in a line of text may be lower.
+TAPPED = ".top a, button, select, input, summary, .cards a, .list a, .links a, .bars a, .neighbours a, .claims > li > a"
+WORDS = ("zeno", "copositive", "drake energy", "no-such-word")
+
+
+def errors(browser: Browser, folder: pathlib.Path, pages: Iterable[pathlib.Path]) -> list[str]:
+    """Errors of a page, and whatever it asks of elsewhere."""
+    wrong = []
+    for path in pages:
+        with browser.page() as page:
+            page.goto(path.as_uri())
+            wrong += [f"{path.relative_to(folder)}: {text}" for text in page.wrong]
+    return wrong
+
+
+def shapes(browser: Browser, folder: pathlib.Path, pages: Iterable[pathlib.Path]) -> list[str]:
+    """Pages wider than a telephone, formulas without a size, and targets too small for a finger, with everything opened."""
+    wrong, formulas = [], 0
+    with browser.page(PHONE) as page:
+        for path in pages:
+            name = path.relative_to(folder)
+            page.goto(path.as_uri())
+            page.evaluate(EVERYTHING_OPEN)
+            width = page.evaluate("document.documentElement.scrollWidth")
+            if width > PHONE["width"]:
+                wrong.append(f"{name}: is {width} pixels wide on a telephone")
+            sizes = page.evaluate("[...document.querySelectorAll('math')].map(one => { const box = one.getBoundingClientRect(); return Math.min(box.width, box.height); })")
+            formulas += len(sizes)
+            empty = sum(size <= 0 for size in sizes)
+            if empty:
+                wrong.append(f"{name}: {empty} of {len(sizes)} formulas have no size")
+            small = page.evaluate(
+                "([what, least]) => [...document.querySelectorAll(what)].filter(one => one.checkVisibility() && one.getBoundingClientRect().height < least - 0.5).map(one => one.textContent.trim().slice(0, 40))",
+                [TAPPED, TAP],
+            )
+            wrong += [f"{name}: too low for a finger: {text}" for text in small[:3]]
+    print(f"formulas: {formulas}", flush=True)
+    return wrong
+
+
+def accessible(browser: Browser, folder: pathlib.Path, pages: Iterable[pathlib.Path], axe: str) -> list[str]:
+    """What axe-core finds, in light with all its rules and in dark with those of colours, which both languages share."""
+    wrong = []
+    for scheme, options in (("light", {}), ("dark", {"runOnly": {"type": "rule", "values": ["color-contrast"]}})):
+        with browser.page(DESKTOP, scheme) as page:
+            for path in pages:
+                if scheme == "dark" and path.parent != folder:
+                    continue
+                page.goto(path.as_uri())
+                page.evaluate(axe)
+                found = page.evaluate("options => axe.run(document, options).then(found => found.violations.map(one => [one.id, one.nodes.length, one.nodes[0].html.slice(0, 120)]))", {**options, "resultTypes": ["violations"]})
+                wrong += [f"{path.relative_to(folder)}, {scheme}: {rule} ({count}): {where}" for rule, count, where in found]
+    return wrong
+
+
+def shown(page: object) -> tuple[int, int]:
+    """How many claims are visible, and how many the page says there are."""
+    return page.evaluate("[[...document.querySelectorAll('#claims > li')].filter(one => one.checkVisibility()).length, Number(document.getElementById('shown').textContent)]")
+
+
+def filters(browser: Browser, folder: pathlib.Path, lists: Iterable[pathlib.Path]) -> list[str]:
+    """Search and filters, by hand and by the address, against report.json."""
+    claims = site.document(folder)["claims"]
+    wrong = []
+
+    def expect(what: str, page: object, is_meant: Callable[[dict], bool]) -> None:
+        count, told = shown(page), sum(map(is_meant, claims))
+        if count != [told, told]:
+            wrong.append(f"{what}: {count[0]} claims shown and {count[1]} told, {told} in report.json")
+
+    for path in lists:
+        with browser.page() as page:
+            page.goto(path.as_uri())
+            expect(f"{path.name}", page, lambda claim: True)
+            for axis in site.AXES:
+                for value in sorted({site.axis(claim, axis) for claim in claims} - {""}):
+                    page.select_option(f"select[name={axis}]", value)
+                    expect(f"{axis} {value}", page, lambda claim: site.axis(claim, axis) == value)
+                page.click("button[type=reset]")
+                page.wait_for_timeout(20)
+            for words in WORDS:
+                page.fill("input[name=q]", words)
+                expect(f"search {words}", page, lambda claim: all(word in site.words_of(claim) for word in words.split()))
+            page.fill("input[name=q]", "zeno")
+            page.select_option("select[name=verdict]", "false")
+            address = page.url
+        with browser.page() as page:
+            page.goto(address)
+            expect(f"the address {address.split('#')[-1]}", page, lambda claim: "zeno" in site.words_of(claim) and site.axis(claim, "verdict") == "false")
+        with browser.page() as page:
+            page.route("**/*.js", lambda route: route.abort())
+            page.goto(path.as_uri())
+            if shown(page)[0] != len(claims):
+                wrong.append(f"{path.name}: without its program the list is not whole")
+    return wrong
+
+
+def keyboard(browser: Browser, folder: pathlib.Path, lists: Iterable[pathlib.Path]) -> list[str]:
+    """The skip link first, then every filter by the tabulator alone, each with a visible focus; a choice by keys."""
+    wrong = []
+    active = "(() => { const one = document.activeElement; return [one.className, one.name || '', getComputedStyle(one).outlineStyle]; })()"
+    for path in lists:
+        with browser.page() as page:
+            page.goto(path.as_uri())
+            page.keyboard.press("Tab")
+            if page.evaluate(active)[0] != "skip":
+                wrong.append(f"{path.name}: the first key does not reach the skip link")
+            page.keyboard.press("Enter")
+            reached: dict[str, str] = {}
+            for _ in range(12):
+                page.keyboard.press("Tab")
+                _, name, outline = page.evaluate(active)
+                reached.setdefault(name, outline)
+                if name == "verdict" and "chosen" not in reached:
+                    before = shown(page)
+                    page.keyboard.press("ArrowDown")
+                    page.wait_for_timeout(50)
+                    reached["chosen"] = "solid" if shown(page) != before else "none"
+            for name in ("q", *site.AXES, "chosen"):
+                if reached.get(name, "none") == "none":
+                    wrong.append(f"{path.name}: {name} is not reached by keys, or has no visible focus")
+    return wrong
+
+
+def printed(browser: Browser, folder: pathlib.Path, summaries: Iterable[pathlib.Path]) -> list[str]:
+    """How many pages the summary needs on paper."""
+    wrong = []
+    for path in summaries:
+        with browser.page() as page:
+            page.goto(path.as_uri())
+            pages = len(re.findall(rb"/Type\s*/Page\b", page.pdf(prefer_css_page_size=True)))
+        print(f"{path.relative_to(folder)}: {pages} printed pages", flush=True)
+        if pages > PRINTED_PAGES or pages == 0:
+            wrong.append(f"{path.relative_to(folder)} prints on {pages} pages")
+    return wrong
+
+
+def look(browser: Browser, folder: pathlib.Path, axe: str) -> list[str]:
+    """Every check on every page that it is for."""
+    every = site.pages(folder)
+    of = lambda name: [folder / name, folder / "zh" / name]
+    wrong = site.too_large(folder) + site.lost_links(folder) + site.unlabelled(folder)
+    for name, check in (
+        ("errors", lambda: errors(browser, folder, every)),
+        ("shapes", lambda: shapes(browser, folder, every)),
+        ("filters", lambda: filters(browser, folder, of("claims.html"))),
+        ("keyboard", lambda: keyboard(browser, folder, of("claims.html"))),
+        ("printed", lambda: printed(browser, folder, of("summary.html"))),
+        ("axe", lambda: accessible(browser, folder, every, axe)),
+    ):
+        begin = time.monotonic()
+        wrong += check()
+        print(f"{time.monotonic() - begin:6.1f} s  {name}, {len(every)} pages", flush=True)
+    return wrong
