@@ -8,7 +8,7 @@ LOW = {"width": 1280, "height": 620}
 
 # name, page, anchor, size, scheme
 PICTURES = (
-    ("front", "index.html", DESKTOP, "light"),
+    ("front", "index.html", {"width": 1280, "height": 800}, "light"),
     ("front-dark", "index.html", DESKTOP, "dark"),
     ("front-phone", "zh/index.html", PHONE, "light"),
     ("claim", "section-S4.html#S4.copos-plus", LOW, "light"),

@@ -1,11 +1,19 @@
 //! Texts that come from claims, engines and files: escaped, with code between backticks and formulas between dollar signs.
 
-use maud::{Markup, html};
+use maud::{Markup, PreEscaped, html};
 use moreau_checks::formula;
 
 /// A text as markup. What is no formula although it has the marks of one – a path with a backslash, a price – stays as it is.
 pub fn prose(text: &str) -> Markup {
-    formula::html(text).unwrap_or_else(|_| with_code(text))
+    formula::html(text).map_or_else(|_| with_code(text), short)
+}
+
+/// Markup without attributes that say what holds without them: thousands of formulas stand on the pages.
+fn short(markup: Markup) -> Markup {
+    let text = markup.into_string();
+    PreEscaped(
+        text.replace("<math display=\"inline\">", "<math>").replace(" symmetric=\"false\" stretchy=\"false\"", " stretchy=\"false\""),
+    )
 }
 
 /// A text with what stands between two backticks as code.

@@ -13,7 +13,7 @@ const HEADING: Words = Words { en: "The chapter's heading: ", zh: "英文标题:
 const BEFORE: Words = Words { en: "previous section", zh: "上一节" };
 const NEXT: Words = Words { en: "next section", zh: "下一节" };
 const OTHER_SECTIONS: Words = Words { en: "Other sections", zh: "其他各节" };
-const IN_SHORT: Words = Words { en: "In short", zh: "一览" };
+const IN_SHORT: Words = Words { en: "The list, with search and filters", zh: "列表,可搜索与筛选" };
 
 /// The page of a section.
 pub fn page(view: &View, section: &Section) -> String {
@@ -26,14 +26,7 @@ pub fn page(view: &View, section: &Section) -> String {
         }
         nav.neighbours aria-label=(view.say(OTHER_SECTIONS)) { (neighbours(view, section)) }
         p { (view.tell(CLAIMS, &[&claims.len()])) ": " (counts(view, section)) }
-        details {
-            summary { (view.say(IN_SHORT)) }
-            ul.list {
-                @for claim in &claims {
-                    li { a href={ "#" (claim.id) } { (verdict(view, claim.verdict)) " " b { (claim.id) } " " (view.english(&claim.title)) } }
-                }
-            }
-        }
+        p { a href={ "claims.html#section=" (section.group) } { (view.say(IN_SHORT)) } }
         @for claim in &claims { (article(view, claim)) }
         div.neighbours { (neighbours(view, section)) }
     };
