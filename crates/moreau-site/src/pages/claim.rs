@@ -129,7 +129,7 @@ fn evidence(view: &View, claim: &ClaimEntry) -> Markup {
         }
         details {
             summary { (view.say(CONTROLS)) " (" (claim.controls.len()) ")" }
-            @for control in &claim.controls { (self::control(view, &claim.id, control)) }
+            @for control in &claim.controls { (self::control(view, control)) }
         }
         details {
             summary { (view.say(SOURCES)) }
@@ -139,7 +139,7 @@ fn evidence(view: &View, claim: &ClaimEntry) -> Markup {
     }
 }
 
-fn control(view: &View, id: &str, control: &ControlEntry) -> Markup {
+fn control(view: &View, control: &ControlEntry) -> Markup {
     html! {
         p { (view.english(&control.subject)) }
         p {
@@ -148,7 +148,11 @@ fn control(view: &View, id: &str, control: &ControlEntry) -> Markup {
                 None => (view.say(OTHERWISE)),
             }
         }
-        @if !control.findings.is_empty() { (findings(view, id, &control.findings)) }
+        ul {
+            @for finding in &control.findings {
+                li { (view.english(&finding.name)) ": " b { (prose(&finding.found)) } (said(view, finding)) }
+            }
+        }
     }
 }
 
