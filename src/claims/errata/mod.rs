@@ -25,7 +25,8 @@ struct Errata {
     entries: BTreeMap<String, Erratum>,
 }
 
-static ERRATA: LazyLock<Errata> = LazyLock::new(|| toml::from_str(include_str!("errata.zh.toml")).expect("a test reads the embedded file"));
+static ERRATA: LazyLock<Errata> =
+    LazyLock::new(|| toml::from_str(include_str!("../errata.zh.toml")).expect("a test reads the embedded file"));
 
 /// The erratum of the claim with this id; none where the claim is true or ambiguous.
 pub fn chinese(id: &str) -> Option<&'static Erratum> {
