@@ -2,6 +2,7 @@
 
 use super::File;
 use super::frame::document;
+use super::prose::prose;
 use super::view::View;
 use crate::pictures::PICTURES;
 use crate::{Picture, Words};
@@ -52,8 +53,8 @@ fn figure(view: &View, picture: &Picture) -> Markup {
             h2 { (view.say(picture.question)) }
             a href=(source) { img src=(source) alt={ (view.say(picture.question)) " " (view.say(picture.caption)) } loading="lazy"; }
             figcaption {
-                p { (view.say(picture.caption)) }
-                p { (view.say(OBTAINED)) (view.say(picture.obtained)) }
+                p { (prose(view.say(picture.caption))) }
+                p { (view.say(OBTAINED)) (prose(view.say(picture.obtained))) }
                 p { (view.say(AGAIN)) code { (picture.command) } }
                 @if !picture.claims.is_empty() { p { (view.say(CLAIMS)) (view.to_claims(picture.claims.iter().copied())) } }
             }
