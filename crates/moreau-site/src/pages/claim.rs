@@ -2,43 +2,46 @@
 
 use super::axes::{Axis, Verdict};
 use super::data::{ClaimEntry, ControlEntry, Erratum, FindingEntry, PlaceEntry, Voice};
+use super::correction::{beyond, label};
 use super::prose::prose;
+use super::related::see_also;
 use super::view::View;
 use crate::{Language, Words};
 use maud::{Markup, html};
 
 const SAYS: Words = Words { en: "The chapter says", zh: "本章的说法" };
-const CORRECT: Words = Words { en: "How it should read", zh: "应当表述为" };
-const HOLDS: Words = Words { en: "What holds", zh: "成立的表述" };
 const PROOF: Words = Words { en: "Proof", zh: "证明" };
-const ARGUMENT: Words = Words { en: "Proof or counterexample", zh: "证明或反例" };
+const ARGUMENT: Words = Words { en: "Proof or counterexample", zh: "论证（证明或反例）" };
 const DECIDING: Words = Words { en: "The deciding finding", zh: "起决定作用的结果" };
 const FINDINGS: Words = Words { en: "Every finding", zh: "全部结果" };
-const CONTROLS: Words = Words { en: "Controls: other subjects under the same check", zh: "对照:用同一检查考察其他对象" };
-const OTHER_VERDICT: Words = Words { en: "with this control the verdict is: ", zh: "用此对照得到的结论是:" };
+const CONTROLS: Words = Words { en: "Controls: other subjects under the same check", zh: "对照：用同一检查考察其他对象" };
+const OTHER_VERDICT: Words = Words { en: "with this control the verdict is: ", zh: "用此对照得到的结论是：" };
 const OTHERWISE: Words = Words { en: "with this control something else is found", zh: "用此对照得到不同的结果" };
+const OPEN: Words = Words { en: " (", zh: "（" };
+const CLOSE: Words = Words { en: ")", zh: "）" };
 /// The heading of the places.
 pub const PLACE: Words = Words { en: "Place in the chapter", zh: "在本章中的位置" };
 const PARAGRAPH: Words =
-    Words { en: "{0}paragraph {1} (line {2}, {3} % of the text): ", zh: "{0}第 {1} 段(第 {2} 行,全文 {3} % 处):" };
-const ABSENT: Words = Words { en: "Not in the chapter: ", zh: "本章没有这句话:" };
+    Words { en: "{0}paragraph {1} (line {2}, {3} % of the text): ", zh: "{0}第 {1} 段（第 {2} 行，全文 {3} % 处）：" };
+const AFTER_HEADING: Words = Words { en: ", ", zh: "，" };
+const ABSENT: Words = Words { en: "Not in the chapter: ", zh: "本章没有这句话：" };
 const SOURCES: Words = Words { en: "Sources", zh: "来源" };
 const CHECK: Words = Words { en: "Check", zh: "检查函数" };
 const AGAIN: Words = Words { en: "The command that makes it again", zh: "重新得到它的命令" };
 const REPEATS: Words = Words { en: "Repeats ", zh: "重复了 " };
 const REPEATED: Words = Words { en: "Said again in ", zh: "又见于 " };
-const EVIDENCE: Words = Words { en: "evidence: ", zh: "证据:" };
-const ALARM: Words = Words { en: "NOT SUPPORTED by what was found: ", zh: "与所得结果不符:" };
+const EVIDENCE: Words = Words { en: "evidence: ", zh: "证据：" };
+const ALARM: Words = Words { en: "NOT SUPPORTED by what was found: ", zh: "与所得结果不符：" };
 const FINDING: Words = Words { en: "finding", zh: "结果" };
 const ROLE: Words = Words { en: "the sentence", zh: "对该句" };
 const FOUND: Words = Words { en: "found", zh: "得到" };
 const EXPECTED: Words = Words { en: "expected", zh: "预期" };
 const STATED: Words = Words { en: "the sentence says", zh: "该句所述" };
 const USED: Words = Words { en: "share of the bound", zh: "占误差界之比" };
-const UNMET: Words = Words { en: "not met here: ", zh: "此处不满足的条件:" };
-const READING: Words = Words { en: "in the reading ", zh: "按此读法:" };
-const OPINION: Words = Words { en: "an opinion: ", zh: "评价:" };
-const PASSAGE: Words = Words { en: "said by ", zh: "出处:" };
+const UNMET: Words = Words { en: "not met here: ", zh: "此处不满足的条件：" };
+const READING: Words = Words { en: "in the reading ", zh: "按此读法：" };
+const OPINION: Words = Words { en: "an opinion: ", zh: "评价：" };
+const PASSAGE: Words = Words { en: "said by ", zh: "出处：" };
 
 /// A verdict as word and shape.
 pub fn verdict(view: &View, verdict: Verdict) -> Markup {
@@ -61,27 +64,28 @@ pub fn standing(view: &View, claim: &ClaimEntry) -> Markup {
 /// The claim as an article with its id as anchor.
 pub fn article(view: &View, claim: &ClaimEntry) -> Markup {
     let argument = if claim.verdict == Verdict::True { PROOF } else { ARGUMENT };
-    let correct = if claim.verdict.needs_correction() { CORRECT } else { HOLDS };
+    let correct = beyond(&claim.correct);
     html! {
         article.claim id=(claim.id) {
             h2 { a.anchor href={ "#" (claim.id) } { (claim.id) } " " (view.english(&claim.title)) }
             (standing(view, claim))
             (repetitions(view, claim))
             h3 { (view.say(SAYS)) }
-            blockquote { (view.english(&claim.statement)) (in_chinese(view, claim, |erratum| &erratum.says)) }
+            blockquote { (in_chinese(view, claim, |erratum| &erratum.says)) (view.english(&claim.statement)) }
             h3 { (view.say(PLACE)) }
             (places(view, claim))
             @if let Some(finding) = &claim.deciding {
                 h3 { (view.say(DECIDING)) }
-                p.deciding { (view.english(&finding.name)) ": " b { (view.english(&finding.found)) } (said(view, finding)) }
+                p.deciding { (view.english(&finding.name)) (view.colon()) b { (view.english(&finding.found)) } (said(view, finding)) }
             }
             h3 { (view.say(argument)) }
-            p { (view.english(&claim.argument)) }
             (in_chinese(view, claim, |erratum| &erratum.wrong))
-            h3 { (view.say(correct)) }
-            div.correct { p { (view.english(&claim.correct)) } (in_chinese(view, claim, |erratum| &erratum.reads)) }
+            p { (view.english(&claim.argument)) }
+            h3 { (view.say(label(claim))) }
+            div.correct { (in_chinese(view, claim, |erratum| &erratum.reads)) @if !correct.is_empty() { p { (view.english(correct)) } } }
+            (see_also(view, claim))
             (evidence(view, claim))
-            p { (view.say(AGAIN)) ": " code { "moreau verify --explain " (claim.id) } }
+            p { (view.say(AGAIN)) (view.colon()) code { "moreau verify --explain " (claim.id) } }
         }
     }
 }
@@ -115,7 +119,7 @@ pub fn places(view: &View, claim: &ClaimEntry) -> Markup {
 fn where_it_is(view: &View, place: &PlaceEntry) -> Markup {
     let section = if place.section.is_empty() || place.heading.starts_with('§') { String::new() } else { format!("{} ", place.section) };
     html! {
-        (section) (view.chinese(&place.heading)) ", "
+        (section) (view.chinese(&place.heading)) (view.say(AFTER_HEADING))
         (view.tell(PARAGRAPH, &[&"", &place.paragraph, &place.line, &place.percent]))
     }
 }
@@ -124,17 +128,17 @@ fn where_it_is(view: &View, place: &PlaceEntry) -> Markup {
 fn evidence(view: &View, claim: &ClaimEntry) -> Markup {
     html! {
         details {
-            summary { (view.say(FINDINGS)) " (" (claim.findings.len()) ")" }
+            summary { (view.say(FINDINGS)) (view.aside(&claim.findings.len())) }
             (findings(view, &claim.id, &claim.findings))
         }
         details {
-            summary { (view.say(CONTROLS)) " (" (claim.controls.len()) ")" }
+            summary { (view.say(CONTROLS)) (view.aside(&claim.controls.len())) }
             @for control in &claim.controls { (self::control(view, control)) }
         }
         details {
             summary { (view.say(SOURCES)) }
             ul { @for source in &claim.sources { li { (view.english(source)) } } }
-            p { (view.say(CHECK)) ": " code { (claim.check) } }
+            p { (view.say(CHECK)) (view.colon()) code { (claim.check) } }
         }
     }
 }
@@ -150,7 +154,7 @@ fn control(view: &View, control: &ControlEntry) -> Markup {
         }
         ul {
             @for finding in &control.findings {
-                li { (view.english(&finding.name)) ": " b { (prose(&finding.found)) } (said(view, finding)) }
+                li { (view.english(&finding.name)) (view.colon()) b { (prose(&finding.found)) } (said(view, finding)) }
             }
         }
     }
@@ -201,5 +205,5 @@ fn said(view: &View, finding: &FindingEntry) -> Markup {
         Some(stated) => (STATED, stated),
         None => (EXPECTED, &finding.expected),
     };
-    html! { " (" (view.say(label)) " " (view.english(words)) ")" (voice(view, finding)) (unmet(view, finding)) }
+    html! { (view.say(OPEN)) (view.say(label)) " " (view.english(words)) (view.say(CLOSE)) (voice(view, finding)) (unmet(view, finding)) }
 }

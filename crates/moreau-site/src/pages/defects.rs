@@ -11,17 +11,17 @@ use moreau_checks::planted::{KINDS, Kind};
 const TITLE: Words = Words { en: "Planted mistakes", zh: "植入的错误" };
 const LEAD: Words = Words {
     en: "A check that no mistake can fail shows nothing. Each row is one realistic mistake, and which checks catch it.",
-    zh: "任何错误都不能使其失败的检查什么也证明不了。每行是一个真实可能的错误,以及发现它的检查。",
+    zh: "任何错误都不能使其失败的检查什么也证明不了。每行是一个真实可能的错误，以及发现它的检查。",
 };
 const COUNTED: Words = Words {
     en: "For this report the checks of families, schemes and agreements ran. Engines with a mistake are put to the gate's checks by \
          cargo test, which holds each to the checks named here; moreau defects puts every engine to every check and takes minutes.",
-    zh: "生成本报告时运行了各族检查、格式检查与一致性检查。带错误的引擎由 cargo test 交给引擎门的检查(此处列出其名);moreau defects 将每个引擎交给所有检查,需数分钟。",
+    zh: "生成本报告时运行了各族检查、格式检查与一致性检查。带错误的引擎由 cargo test 交给引擎验收检查（此处列出其名）；moreau defects 将每个引擎交给所有检查，需数分钟。",
 };
 const OBTAINED: Words = Words { en: "How these numbers were obtained", zh: "这些数据的来源" };
 const MISTAKE: Words = Words { en: "mistake", zh: "错误" };
 const CAUGHT: Words = Words { en: "caught by, in this run", zh: "本次运行中发现它的检查" };
-const NAMED: Words = Words { en: "caught by, checks of the gate", zh: "发现它的引擎门检查" };
+const NAMED: Words = Words { en: "caught by, checks of the gate", zh: "发现它的引擎验收检查" };
 const REPEATS: Words = Words { en: "repeats ", zh: "重复 " };
 const NOBODY: Words = Words { en: "NOBODY", zh: "无检查发现" };
 
@@ -30,11 +30,11 @@ pub fn page(view: &View) -> String {
     let body = html! {
         h1 { (view.say(TITLE)) }
         p { (view.say(LEAD)) }
-        p { (front::defects(view)) ". " a href="obtained.html#defects" { (view.say(OBTAINED)) } }
+        p { (front::defects(view)) (view.stop()) a href="obtained.html#defects" { (view.say(OBTAINED)) } }
         p { (view.say(COUNTED)) }
         @for kind in KINDS {
             @let rows: Vec<_> = view.report.defects.iter().filter(|defect| defect.kind == kind).collect();
-            h2 { (view.say(plural(kind))) " (" (rows.len()) ")" }
+            h2 { (view.say(plural(kind))) (view.aside(&rows.len())) }
             (view.scrolled(view.say(plural(kind)), &table(view, &rows)))
         }
     };

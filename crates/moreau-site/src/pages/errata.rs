@@ -1,10 +1,11 @@
 //! The errata sheet for the author of the chapter: place, printed words, what is wrong, how it should read, how much is wrong.
 
-use super::axes::{Axis, Severity, Verdict};
+use super::axes::Verdict;
 use super::claim::{PLACE, places, standing};
 use super::data::ClaimEntry;
 use super::frame::document;
 use super::section::title;
+use super::severity;
 use super::view::View;
 use crate::{Language, Words};
 use maud::{Markup, html};
@@ -14,15 +15,14 @@ const LEAD: Words = Words {
     en: "For the author of the chapter: {0} sentences that are false as printed, exclude one another, or need a condition that is not \
          printed, in the order of the text. What is said more than once stands once, with the other places. {1} have been counted with \
          the sentence that they repeat.",
-    zh: "供本章作者使用:共 {0} 处,包括如所述不成立、自相矛盾或缺少必要条件的句子,按正文顺序排列。多次出现的说法只列一次,并注明其他位置;另有 {1} 处为重复,已并入原句。",
+    zh: "供本章作者使用：共 {0} 处，包括如所述不成立、自相矛盾或缺少必要条件的句子，按正文顺序排列。多次出现的说法只列一次，并注明其他位置；另有 {1} 处为重复，已并入原句。",
 };
 const PRINTED: Words = Words { en: "Printed", zh: "本章的说法" };
-const IN_ENGLISH: Words = Words { en: "Printed, in English", zh: "本章的说法(英文陈述)" };
+const IN_ENGLISH: Words = Words { en: "Printed, in English", zh: "本章的说法（英文陈述）" };
 const WRONG: Words = Words { en: "What is wrong", zh: "问题所在" };
 const READS: Words = Words { en: "How it should read", zh: "应当表述为" };
 const AGAIN: Words = Words { en: "The same is said in", zh: "同样的说法又见于" };
-const PROVED: Words = Words { en: "Numbers and proof: ", zh: "数据与证明:" };
-const BY_SEVERITY: Words = Words { en: "How many of each severity", zh: "各严重程度的数量" };
+const PROVED: Words = Words { en: "Numbers and proof: ", zh: "数据与证明：" };
 
 /// The page.
 pub fn page(view: &View) -> String {
@@ -32,7 +32,8 @@ pub fn page(view: &View) -> String {
         h1 { (view.say(TITLE)) }
         p.meta { (view.chinese(&view.report.chapter)) }
         p { (view.tell(LEAD, &[&own.len(), &again.len()])) }
-        (severities(view, &own))
+        (severity::counts(view, &own))
+        (severity::lists(view, &own))
         @for section in &view.report.sections {
             @let here: Vec<_> = in_the_order_of_the_text(&own, &section.group);
             @if !here.is_empty() {
@@ -51,15 +52,6 @@ fn in_the_order_of_the_text<'a>(claims: &[&'a ClaimEntry], group: &str) -> Vec<&
     here
 }
 
-fn severities(view: &View, claims: &[&ClaimEntry]) -> Markup {
-    let count = |severity| claims.iter().filter(|claim| claim.severity == Some(severity)).count();
-    html! {
-        ul.counts aria-label=(view.say(BY_SEVERITY)) {
-            @for &severity in Severity::ALL.iter().rev() { li { b { (count(severity)) } " " (view.say(severity.words())) } }
-        }
-    }
-}
-
 fn erratum(view: &View, claim: &ClaimEntry) -> Markup {
     let again: Vec<&ClaimEntry> = view.report.repetitions(&claim.id).collect();
     html! {
@@ -71,7 +63,7 @@ fn erratum(view: &View, claim: &ClaimEntry) -> Markup {
             (printed(view, claim))
             (corrected(view, claim))
             @if !again.is_empty() {
-                p { (view.say(AGAIN)) ": " (view.to_claims(again.iter().map(|claim| claim.id.as_str()))) }
+                p { (view.say(AGAIN)) (view.colon()) (view.to_claims(again.iter().map(|claim| claim.id.as_str()))) }
             }
             p { (view.say(PROVED)) (view.to_claim(&claim.id)) }
         }
@@ -104,6 +96,10 @@ fn corrected(view: &View, claim: &ClaimEntry) -> Markup {
 
 /// Claims that are false or inconsistent, and repeat no other one.
 pub fn grave<'a>(view: &View<'a>) -> impl Iterator<Item = &'a ClaimEntry> {
-    let is_grave = |claim: &&ClaimEntry| matches!(claim.verdict, Verdict::False | Verdict::Inconsistent) && claim.repeats.is_none();
-    view.report.claims.iter().filter(is_grave)
+    view.report.claims.iter().filter(|claim| is_grave(claim) && claim.repeats.is_none())
+}
+
+/// Whether a claim is false or inconsistent.
+pub fn is_grave(claim: &ClaimEntry) -> bool {
+    matches!(claim.verdict, Verdict::False | Verdict::Inconsistent)
 }

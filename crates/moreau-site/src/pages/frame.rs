@@ -10,7 +10,7 @@ pub const MENU: [(&str, Words); 11] = [
     ("claims.html", Words { en: "Claims", zh: "论断" }),
     ("errata.html", Words { en: "Errata", zh: "勘误表" }),
     ("pictures.html", Words { en: "Pictures", zh: "图示" }),
-    ("explorer.html", Words { en: "Explorer", zh: "交互试验" }),
+    ("explorer.html", Words { en: "Explorer", zh: "探索页" }),
     ("systems.html", Words { en: "Systems", zh: "系统" }),
     ("scoreboard.html", Words { en: "Scoreboard", zh: "引擎记分板" }),
     ("problems.html", Words { en: "Problems", zh: "接触问题集" }),
@@ -21,12 +21,27 @@ pub const MENU: [(&str, Words); 11] = [
 
 const SKIP: Words = Words { en: "To the content", zh: "跳到正文" };
 const PAGES: Words = Words { en: "Pages", zh: "页面" };
-const STAYS_ENGLISH: Words = Words {
-    en: "Words of the chapter are quoted in Chinese.",
-    zh: "说明:论断的陈述、论证与更正由程序以英文保存,本页原样引用;本章原文的引文为中文。",
-};
+const QUOTED: Words = Words { en: "Words of the chapter are quoted in Chinese.", zh: "本章原文的引文为中文。" };
 const WRITTEN: Words = Words { en: "Written by moreau {0} on {1}.", zh: "由 moreau {0} 于 {1} 生成。" };
-const AGAIN: Words = Words { en: "Make it again:", zh: "重新生成:" };
+const AGAIN: Words = Words { en: "Make it again:", zh: "重新生成：" };
+
+/// What a Chinese page says of the texts on it that stay English.
+fn stays_english(view: &View) -> Option<&'static str> {
+    let words = match view.file {
+        "claims.html" => "不成立、自相矛盾或须附加条件的论断有中文陈述，排在英文之前；标题、其余陈述与更正为英文。",
+        "errata.html" => "陈述、问题所在与更正为中文；标题为英文。",
+        "systems.html" => "系统名称、被比较的物理量及其对照的说明为英文。",
+        "scoreboard.html" => "引擎的名称、检查名与未运行的原因为英文。",
+        "problems.html" => "问题与定律的说明为英文。",
+        "defects.html" => "各个错误的说明与检查名为英文。",
+        "pictures.html" => "图中标注为英文。",
+        file if file.starts_with("section-") => {
+            "不成立、自相矛盾或须附加条件的论断有中文陈述、论证与更正，排在英文之前；其余论断的文字、标题、程序所得的结果、对照与来源为英文。"
+        }
+        _ => return None,
+    };
+    (view.language == Language::Chinese).then_some(words)
+}
 
 /// How the other language calls itself.
 fn name(language: Language) -> &'static str {
@@ -77,7 +92,7 @@ fn head(view: &View) -> Markup {
 fn foot(view: &View) -> Markup {
     html! {
         footer {
-            p { (view.say(STAYS_ENGLISH)) }
+            p { (view.say(QUOTED)) @if let Some(words) = stays_english(view) { (words) } }
             p {
                 (view.tell(WRITTEN, &[&view.report.version, &view.report.day])) " "
                 (view.say(AGAIN)) " " code { "moreau report --out FOLDER" }

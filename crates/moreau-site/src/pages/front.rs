@@ -1,7 +1,6 @@
 //! The front page: what was checked and what came out, in one screen; then the sections and the other results.
 
 use super::axes::{Axis, Evidence, Severity, Verdict};
-use super::claim::verdict;
 use super::data::Report;
 use super::frame::document;
 use super::section::title;
@@ -12,19 +11,19 @@ use moreau_gate::Verdict as Gate;
 
 const TITLE: Words = Words {
     en: "Time-stepping of contact: what a textbook chapter says, and what holds",
-    zh: "接触动力学的时步法:教材一章的论断与检验结果",
+    zh: "接触动力学的时步法：教材一章的论断与检验结果",
 };
 const LEAD: Words = Words {
     en: "Every claim of this chapter was put to a program that computes. The verdict of a claim follows from what was found, and another \
          subject put to the same program must come out otherwise.",
-    zh: "本章的每条论断都由可执行的程序检验。结论由计算结果推出;用同一程序考察其他对象,必须得到不同的结果。",
+    zh: "本章的每条论断都由可执行的程序检验。结论由计算结果推出；用同一程序考察其他对象，必须得到不同的结果。",
 };
-const OF: Words = Words { en: "The chapter: ", zh: "所检验的章节:" };
+const OF: Words = Words { en: "The chapter: ", zh: "所检验的章节：" };
 const CLAIMS: Words = Words { en: "{0} claims", zh: "{0} 条论断" };
 const NONE: Words = Words { en: "No claim is contradicted by what was found.", zh: "没有论断的结论与所得结果相矛盾。" };
 const SOME: Words = Words {
     en: "{0} claims are not supported by what was found in this run: ",
-    zh: "本次运行中有 {0} 条论断的结论与所得结果不符:",
+    zh: "本次运行中有 {0} 条论断的结论与所得结果不符：",
 };
 const WRONG: Words = Words { en: "What is wrong", zh: "问题类型" };
 const EVIDENCE: Words = Words { en: "Evidence", zh: "证据等级" };
@@ -34,19 +33,19 @@ const SECTION: Words = Words { en: "section", zh: "章节" };
 const SYSTEMS: Words = Words {
     en: "{0} simulators rebuilt from their own equations, {1} agreements with closed forms, exact fractions and stored runs, {2} outside \
          their bound",
-    zh: "按各自方程重建的 {0} 个仿真系统,与闭式解、精确分数和已存运行结果的 {1} 项对比,{2} 项超出误差界",
+    zh: "按各自方程重建的 {0} 个仿真系统，与闭式解、精确分数和已存运行结果的 {1} 项对比，{2} 项超出误差界",
 };
 const BOARD: Words = Words {
     en: "{0} configurations of engines in {1} checks: {2} answers as Coulomb’s law demands, {3} differ as declared, {4} fail or err",
-    zh: "{0} 种引擎配置,{1} 项检查:{2} 项符合 Coulomb 定律,{3} 项按其声明的模型有差异,{4} 项失败或出错",
+    zh: "{0} 种引擎配置，{1} 项检查：{2} 项符合库仑定律，{3} 项按其声明的模型有差异，{4} 项失败或出错",
 };
 const DEFECTS: Words = Words {
     en: "{0} planted mistakes that the checks must catch; {1} are caught by checks that ran for this report, {2} by checks of the gate",
-    zh: "{0} 个植入的错误须被检查发现:{1} 个由本次运行的检查发现,{2} 个由引擎门检查发现",
+    zh: "{0} 个植入的错误须被检查发现：{1} 个由本次运行的检查发现，{2} 个由引擎验收检查发现",
 };
 const FINDINGS: Words = Words {
     en: "{0} findings decide the verdicts, {1} of them come out otherwise under one of {2} controls",
-    zh: "{0} 项结果决定结论,其中 {1} 项在 {2} 个对照之一下得到不同结果",
+    zh: "决定结论的结果：{0} 项；换成对照后得到不同结果的：{1} 项；对照共 {2} 个",
 };
 const PROBLEMS: Words = Words { en: "{0} contact problems with certified answers", zh: "{0} 个带认证解的接触问题" };
 
@@ -75,7 +74,7 @@ pub fn page(view: &View) -> String {
             }
         }
         h2 { (view.say(SECTIONS)) }
-        (view.scrolled(view.say(SECTIONS), &sections(view)))
+        (sections(view))
     };
     document(view, view.say(TITLE), &body)
 }
@@ -168,13 +167,17 @@ pub fn defects(view: &View) -> String {
     view.tell(DEFECTS, &[&defects.len(), &now, &gate])
 }
 
-/// How many claims of each section have which verdict.
+/// How many claims of each section have which verdict; on a narrow screen the verdicts are marks, which the counts above explain.
 pub fn sections(view: &View) -> Markup {
     html! {
         table.sections {
             thead { tr {
                 th scope="col" { (view.say(SECTION)) }
-                @for &each in Verdict::ALL { th.n scope="col" { (verdict(view, each)) } }
+                @for &each in Verdict::ALL {
+                    th.n scope="col" { span class={ "verdict " (each.key()) } {
+                        span.mark aria-hidden="true" { (each.mark()) } " " span.word { (view.say(each.words())) }
+                    } }
+                }
             } }
             tbody {
                 @for section in &view.report.sections {

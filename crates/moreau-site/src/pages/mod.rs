@@ -2,6 +2,7 @@
 
 pub mod axes;
 mod claim;
+mod correction;
 pub mod data;
 mod defects;
 mod errata;
@@ -13,8 +14,10 @@ mod obtained;
 mod pictures;
 mod problems;
 mod prose;
+mod related;
 mod scoreboard;
 mod section;
+mod severity;
 mod summary;
 mod systems;
 #[cfg(test)]

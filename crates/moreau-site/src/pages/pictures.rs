@@ -12,11 +12,11 @@ use moreau_exact::Result;
 const TITLE: Words = Words { en: "Pictures", zh: "图示" };
 const LEAD: Words = Words {
     en: "{0} pictures, one question each. The labels in the pictures are English.",
-    zh: "{0} 幅图,各回答一个问题。图中标注为英文。",
+    zh: "{0} 幅图，各回答一个问题。图中标注为英文。",
 };
-const OBTAINED: Words = Words { en: "How its numbers were obtained: ", zh: "数据来源:" };
-const AGAIN: Words = Words { en: "The command that makes them again: ", zh: "重新得到它们的命令:" };
-const CLAIMS: Words = Words { en: "Claims: ", zh: "相关论断:" };
+const OBTAINED: Words = Words { en: "How its numbers were obtained: ", zh: "数据来源：" };
+const AGAIN: Words = Words { en: "The command that makes them again: ", zh: "重新得到它们的命令：" };
+const CLAIMS: Words = Words { en: "Claims: ", zh: "相关论断：" };
 
 /// Every picture as a file that the pages of both languages show.
 ///

@@ -11,7 +11,7 @@ const LEAD: Words = Words {
     en: "{0} problems u = W r + u_free under a contact law, each with the answers that a certificate accepts. δ: the answer solves exactly \
          a problem whose free velocity is this near. Radius: how far in u a solution of the problem itself is at most, proved. A dash: not \
          proved. Failed: solvers that gave up or whose answer the certificate rejects.",
-    zh: "{0} 个问题 u = W r + u_free,附接触定律,以及证书接受的解。δ:该解精确满足自由速度与之相差不超过 δ 的问题。半径:已证明问题本身的某个解在 u 上至多相距多远。短横线:未证明。失败:放弃或其解被证书拒绝的求解器数。",
+    zh: "{0} 个问题 u = W r + u_free，附接触定律，以及证书接受的解。δ：该解精确满足自由速度与之相差不超过 δ 的问题。半径：已证明问题本身的某个解在 u 上至多相距多远。短横线：未证明。失败：放弃或其解被证书拒绝的求解器数。",
 };
 const OBTAINED: Words = Words { en: "How these numbers were obtained", zh: "这些数据的来源" };
 const HEADS: [Words; 11] = [

@@ -13,11 +13,11 @@ use moreau_gate::report::{decisive, highlights, sentence};
 use moreau_gate::scoreboard::Standing;
 use moreau_gate::{CheckOutcome, Report, Verdict, checks};
 
-const TITLE: Words = Words { en: "Engines through one set of checks", zh: "引擎记分板:同一套检查" };
+const TITLE: Words = Words { en: "Engines through one set of checks", zh: "引擎记分板：同一套检查" };
 const LEAD: Words = Words {
     en: "Stored results. A mark leads to the number that decided it, the name of a check to its question. Sentences about engines are \
          English.",
-    zh: "已存结果。点击标记可看到决定它的数值,点击检查名可看到它的问题;这些说明文字为英文,列在英文页上。",
+    zh: "已存结果。点击标记可看到决定它的数值，点击检查名可看到它的问题；这些说明文字为英文，列在英文页上。",
 };
 const ENGINE: Words = Words { en: "engine", zh: "引擎" };
 const ENGINES: Words = Words { en: "The engines", zh: "各引擎" };
@@ -29,7 +29,8 @@ const CHECKS: Words = Words { en: "The checks", zh: "检查列表" };
 const NOT_RUN: Words = Words { en: "not run", zh: "未运行" };
 const INSTALLED: Words = Words { en: "Installed by", zh: "安装方式" };
 const BAD_AT: Words = Words { en: "bad at h = {0} s", zh: "在步长 h = {0} s 时不通过" };
-const SEEN: Words = Words { en: "Seen by this: ", zh: "依据:" };
+const BESIDE: Words = Words { en: "; ", zh: "；" };
+const SEEN: Words = Words { en: "Seen by this: ", zh: "依据：" };
 const OBTAINED: Words = Words { en: "How these numbers were obtained", zh: "这些数据的来源" };
 
 /// The verdicts, the bad ones first.
@@ -95,9 +96,9 @@ fn mark(verdict: Verdict) -> &'static str {
 
 fn meaning(verdict: Verdict) -> Words {
     match verdict {
-        Verdict::Pass => Words { en: "as Coulomb–Signorini demands", zh: "符合 Coulomb–Signorini 定律" },
+        Verdict::Pass => Words { en: "as Coulomb–Signorini demands", zh: "符合库仑–Signorini 定律" },
         Verdict::Difference => {
-            Words { en: "different, as the engine’s declared law predicts", zh: "有差异,与引擎声明的定律一致" }
+            Words { en: "different, as the engine’s declared law predicts", zh: "有差异，与引擎声明的定律一致" }
         }
         Verdict::Fail => Words { en: "fails", zh: "失败" },
         Verdict::Errored => Words { en: "errored", zh: "出错" },
@@ -157,7 +158,7 @@ fn name(view: &View, standing: &Standing) -> Markup {
 }
 
 fn not_run(view: &View, standing: &Standing) -> Markup {
-    html! { (view.say(NOT_RUN)) ": " (view.english(standing.not_run.as_deref().unwrap_or("–"))) }
+    html! { (view.say(NOT_RUN)) (view.colon()) (view.english(standing.not_run.as_deref().unwrap_or("–"))) }
 }
 
 fn matrix(view: &View, standings: &[Standing]) -> Markup {
@@ -188,7 +189,7 @@ fn cell(view: &View, engine: &str, report: &Report, check: &str) -> Markup {
     let word = view.say(short(outcome.verdict));
     html! {
         td class=(outcome.verdict.word()) {
-            a href=(sentence_link(view, &format!("{engine}:{check}"))) aria-label={ (engine) ", " (check) ": " (word) } { (mark(outcome.verdict)) }
+            a href=(sentence_link(view, &format!("{engine}:{check}"))) aria-label={ (engine) (view.comma()) (check) (view.colon()) (word) } { (mark(outcome.verdict)) }
         }
     }
 }
@@ -204,7 +205,7 @@ fn numbers(view: &View, standing: &Standing) -> Markup {
             div id={ "engine:" (engine) } {
                 @match &standing.report {
                     Some(report) => {
-                        p { (view.say(INSTALLED)) ": " code { (standing.entry.install) } }
+                        p { (view.say(INSTALLED)) (view.colon()) code { (standing.entry.install) } }
                         ul.numbers {
                             @for verdict in ORDER {
                                 @for outcome in report.checks.iter().filter(|outcome| outcome.verdict == verdict) {
@@ -229,7 +230,7 @@ fn number(view: &View, engine: &str, outcome: &CheckOutcome) -> Markup {
         li id={ (engine) ":" (outcome.check) } {
             span class={ "gate " (outcome.verdict.word()) } { (mark(outcome.verdict)) " " (view.say(short(outcome.verdict))) }
             " " b { (outcome.check) } " " (view.english(&decided(outcome)))
-            @if !at.is_empty() { "; " (view.tell(BAD_AT, &[&at])) }
+            @if !at.is_empty() { (view.say(BESIDE)) (view.tell(BAD_AT, &[&at])) }
             @if let Some(k) = cause { " " a href={ "#cause:" (k) } { (view.say(component(causes[k].error))) } }
         }
     }
@@ -244,7 +245,7 @@ fn decided(outcome: &CheckOutcome) -> String {
 fn reason(view: &View, k: usize, cause: &Cause) -> Markup {
     html! {
         details {
-            summary { b { (view.say(component(cause.error))) } ": " (cause.engines.join(", ")) ": " (cause.checks.join(", ")) }
+            summary { b { (view.say(component(cause.error))) } (view.colon()) (cause.engines.join(view.comma())) (view.colon()) (cause.checks.join(view.comma())) }
             p id={ "cause:" (k) } { (view.english(&cause.cause)) }
             p { (view.say(SEEN)) (view.english(&cause.evidence)) }
         }

@@ -9,11 +9,11 @@ use crate::Words;
 use maud::{Markup, html};
 
 const CLAIMS: Words = Words { en: "{0} claims", zh: "{0} 条论断" };
-const HEADING: Words = Words { en: "The chapter's heading: ", zh: "英文标题:" };
+const HEADING: Words = Words { en: "The chapter's heading: ", zh: "英文标题：" };
 const BEFORE: Words = Words { en: "previous section", zh: "上一节" };
 const NEXT: Words = Words { en: "next section", zh: "下一节" };
 const OTHER_SECTIONS: Words = Words { en: "Other sections", zh: "其他各节" };
-const IN_SHORT: Words = Words { en: "The list, with search and filters", zh: "列表,可搜索与筛选" };
+const IN_SHORT: Words = Words { en: "The list, with search and filters", zh: "列表，可搜索与筛选" };
 
 /// The page of a section.
 pub fn page(view: &View, section: &Section) -> String {
@@ -25,7 +25,7 @@ pub fn page(view: &View, section: &Section) -> String {
             crate::Language::Chinese => p.meta { (view.say(HEADING)) span lang="en" { (section.title.en) } },
         }
         nav.neighbours aria-label=(view.say(OTHER_SECTIONS)) { (neighbours(view, section)) }
-        p { (view.tell(CLAIMS, &[&claims.len()])) ": " (counts(view, section)) }
+        p { (view.tell(CLAIMS, &[&claims.len()])) (view.colon()) (counts(view, section)) }
         p { a href={ "claims.html#section=" (section.group) } { (view.say(IN_SHORT)) } }
         @for claim in &claims { (article(view, claim)) }
         div.neighbours { (neighbours(view, section)) }
@@ -53,7 +53,7 @@ fn neighbours(view: &View, section: &Section) -> Markup {
     let before = at.checked_sub(1).and_then(|at| sections.get(at));
     let link = |word: Words, to: Option<&Section>| {
         html! {
-            @if let Some(to) = to { a href=(section_file(&to.group)) { (view.say(word)) ": " (title(view, to)) } }
+            @if let Some(to) = to { a href=(section_file(&to.group)) { (view.say(word)) (view.colon()) (title(view, to)) } }
         }
     };
     html! { (link(BEFORE, before)) (link(NEXT, sections.get(at + 1))) }

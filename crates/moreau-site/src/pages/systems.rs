@@ -12,22 +12,22 @@ const TITLE: Words = Words { en: "Systems on four axes", zh: "四条坐标轴上
 const LEAD: Words = Words {
     en: "Where each simulator of the chapter stands: the level at which the contact constraint is posed, the cone of impulses, the contact \
          law and the algorithm.",
-    zh: "本章各仿真系统的位置:接触约束所在的层级、冲量锥、接触定律与算法。",
+    zh: "本章各仿真系统的位置：接触约束所在的层级、冲量锥、接触定律与算法。",
 };
 const SYSTEM: Words = Words { en: "system", zh: "系统" };
 const LEVEL: Words = Words { en: "level", zh: "层级" };
 const CONE: Words = Words { en: "cone", zh: "锥" };
 const LAW: Words = Words { en: "law", zh: "定律" };
 const ALGORITHM: Words = Words { en: "algorithm", zh: "算法" };
-const RESTITUTION: Words = Words { en: "restitution", zh: "恢复" };
+const RESTITUTION: Words = Words { en: "restitution", zh: "恢复系数" };
 const UPDATE: Words = Words { en: "positions", zh: "位置更新" };
 const AGREEMENTS: Words = Words { en: "How closely they agree", zh: "一致程度" };
 const MEASURED: Words = Words {
     en: "Measured when this report was written. A difference beyond its bound is marked.",
-    zh: "生成本报告时实测;超出误差界者有标记。",
+    zh: "生成本报告时实测；超出误差界者有标记。",
 };
 const AGAINST: Words = Words { en: "against", zh: "对照" };
-const QUANTITY: Words = Words { en: "quantity", zh: "量" };
+const QUANTITY: Words = Words { en: "quantity", zh: "物理量" };
 const DIFFERENCE: Words = Words { en: "difference", zh: "差" };
 const BOUND: Words = Words { en: "bound", zh: "误差界" };
 const SHARE: Words = Words { en: "share", zh: "占比" };
@@ -43,7 +43,7 @@ pub fn page(view: &View) -> String {
     let body = html! {
         h1 { (view.say(TITLE)) }
         p { (view.say(LEAD)) }
-        p { (front::systems(view)) ". " a href="obtained.html#systems" { (view.say(OBTAINED)) } }
+        p { (front::systems(view)) (view.stop()) a href="obtained.html#systems" { (view.say(OBTAINED)) } }
         (view.scrolled(view.say(TITLE), &axes(view, systems)))
         h2 { (view.say(AGREEMENTS)) }
         p { (view.say(MEASURED)) }
@@ -96,7 +96,7 @@ fn cone(cone: Cone) -> Words {
 fn law(law: ContactLaw) -> Words {
     match law {
         ContactLaw::Coulomb => Words { en: "Coulomb", zh: "库仑" },
-        ContactLaw::Associated => Words { en: "associated (convex)", zh: "关联(凸)" },
+        ContactLaw::Associated => Words { en: "associated (convex)", zh: "关联（凸）" },
         ContactLaw::Compliant => Words { en: "compliant", zh: "柔顺" },
         ContactLaw::None => NONE,
     }

@@ -1,6 +1,6 @@
 //! A page in one language: its fixed texts, its links, and which words on it are of the other language.
 
-use super::data::Report;
+use super::data::{ClaimEntry, Report};
 use super::prose::{prose, with_code};
 use crate::{Language, Words};
 use maud::{Markup, html};
@@ -54,6 +54,34 @@ impl View<'_> {
         }
     }
 
+    /// What a claim is about, for lists: on a Chinese page the beginning of the Chinese sentence where there is one.
+    pub fn title(&self, claim: &ClaimEntry) -> Markup {
+        match (&claim.erratum, self.language) {
+            (Some(erratum), Language::Chinese) => self.chinese(&beginning(&erratum.says)),
+            _ => self.english(&claim.title),
+        }
+    }
+
+    /// What stands between a label and what it labels.
+    pub fn colon(&self) -> &'static str {
+        self.say(Words { en: ": ", zh: "：" })
+    }
+
+    /// What stands between the parts of a list.
+    pub fn comma(&self) -> &'static str {
+        self.say(Words { en: ", ", zh: "、" })
+    }
+
+    /// What ends a sentence before another one.
+    pub fn stop(&self) -> &'static str {
+        self.say(Words { en: ". ", zh: "。" })
+    }
+
+    /// Something in parentheses, after a word.
+    pub fn aside(&self, text: &dyn std::fmt::Display) -> String {
+        self.tell(Words { en: " ({0})", zh: "（{0}）" }, &[text])
+    }
+
     /// A link from this page to a file that both languages share.
     pub fn shared(&self, file: &str) -> String {
         match self.language {
@@ -80,7 +108,7 @@ impl View<'_> {
 
     /// Links to claims.
     pub fn to_claims<'i>(&self, ids: impl Iterator<Item = &'i str>) -> Markup {
-        html! { @for (k, id) in ids.enumerate() { @if k > 0 { ", " } (self.to_claim(id)) } }
+        html! { @for (k, id) in ids.enumerate() { @if k > 0 { (self.comma()) } (self.to_claim(id)) } }
     }
 
     /// A table in a box that scrolls by itself, so that the page stays as wide as the screen.
@@ -105,7 +133,38 @@ pub fn section_file(group: &str) -> String {
     format!("section-{group}.html")
 }
 
+/// How many characters a title has at most.
+const LONGEST: usize = 34;
+
+/// A sentence up to its first full stop or semicolon, or cut after [`LONGEST`] characters, but in no formula.
+fn beginning(sentence: &str) -> String {
+    let mut in_formula = false;
+    for (count, (at, letter)) in sentence.char_indices().enumerate() {
+        let ends = ['。', '；'].contains(&letter);
+        if !in_formula && (ends || count >= LONGEST) {
+            let rest = sentence[at..].trim_start_matches(['。', '；']);
+            return if rest.is_empty() { sentence[..at].into() } else { format!("{}…", &sentence[..at]) };
+        }
+        in_formula ^= letter == '$';
+    }
+    sentence.into()
+}
+
 /// Words of the chapter without the stars of their headings, with its marks of formulas as they are elsewhere.
 fn plain(text: &str) -> String {
     text.replace(['⭐', '\u{fe0f}'], "").replace("\\(", "$").replace("\\)", "$").trim().into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_title_ends_with_its_sentence_and_is_cut_in_no_formula() {
+        assert_eq!(beginning("短句。"), "短句");
+        assert_eq!(beginning("短句；后半句。"), "短句…");
+        let formula = format!("${}；$", "x".repeat(LONGEST));
+        assert_eq!(beginning(&format!("{formula}之后很长")), format!("{formula}…"));
+        assert_eq!(beginning(&"长".repeat(LONGEST + 1)), format!("{}…", "长".repeat(LONGEST)));
+    }
 }

@@ -20,20 +20,20 @@ pub(super) const ZENO: Picture = Picture {
     id: "ball-through-zeno",
     question: Words {
         en: "What does a time-stepping scheme make of infinitely many impacts?",
-        zh: "面对无穷多次碰撞(Zeno 现象),时步法会算出什么?",
+        zh: "面对无穷多次碰撞（Zeno 现象），时步法会算出什么？",
     },
     caption: Words {
         en: "A ball of 1 kg falls 1 m and bounces with e = 0.5. Grey is the closed form, whose impacts accumulate at T∞. \
             Moreau–Jean (θ = ½, h = 10 ms) takes steps of one size: it meets a few of the impacts, swallows the rest within single \
             steps and comes to rest, whatever rule activates the contact. The rules A (φ ≤ 0), B (φ + ½h u ≤ 0) and D (φ + h u_free ≤ \
             0) differ in when they see the floor, so each lands on heights of its own, all within a step's fall.",
-        zh: "质量 1 kg 的球从 1 m 高处落下,恢复系数 e = 0.5。灰线为闭式解,其碰撞时刻在 T∞ 处聚积。Moreau–Jean 格式(θ = ½,h = 10 ms)以固定步长推进:它只分辨出前几次碰撞,\
-            其余的都被吸收在单个步内,最终静止,与采用哪条激活准则无关。准则 A(φ ≤ 0)、B(φ + ½h u ≤ 0)、D(φ + h u_free ≤ 0)的差别在于何时把接触视为激活,因此静止高度略有不同,但都不超过一步内的下落量。",
+        zh: "质量 1 kg 的球从 1 m 高处落下，恢复系数 e = 0.5。灰线为闭式解，其碰撞时刻在 T∞ 处聚积。Moreau–Jean 格式（θ = ½，h = 10 ms）以固定步长推进：它只分辨出前几次碰撞，\
+            其余的都被吸收在单个步内，最终静止，与采用哪条激活准则无关。准则 A（φ ≤ 0）、B（φ + ½h u ≤ 0）、D（φ + h u_free ≤ 0）的差别在于何时把接触视为激活，因此静止高度略有不同，但都不超过一步内的下落量。",
     },
     obtained: Words {
         en: "Simulated for this picture by the scheme `moreau-jean` with each activation rule; the grey curves are \
             `BouncingBall`.",
-        zh: "由 `moreau-jean` 格式在三条激活准则下即时仿真得到;灰线由 `BouncingBall` 的闭式解给出。",
+        zh: "由 `moreau-jean` 格式在三条激活准则下即时仿真得到；灰线由 `BouncingBall` 的闭式解给出。",
     },
     command: "moreau simulate --scene bouncing-ball --step 0.01 --activation A",
     claims: &["M.zeno", "S0.zeno-absorb", "S0.tinf"],
@@ -42,17 +42,17 @@ pub(super) const ZENO: Picture = Picture {
 
 pub(super) const HEIGHTS: Picture = Picture {
     id: "heights-by-e-squared",
-    question: Words { en: "How fast do the bounces become lower?", zh: "弹跳高度按什么规律递减?" },
+    question: Words { en: "How fast do the bounces become lower?", zh: "弹跳高度按什么规律递减？" },
     caption: Words {
         en: "The height after bounce k is e^{2k} of the first fall: a straight line over k in this picture, twice as steep as \
             that of the flight times, which shrink by e. Marks are the apexes of Moreau–Jean's motion at h = 2 ms; they leave the line \
             where a bounce is as low as a step's fall.",
-        zh: "第 k 次反弹后的高度是首次下落高度的 e^{2k} 倍:在对数坐标下是关于 k 的直线,其斜率是飞行时间(按 e 递减)的两倍。标记点是 Moreau–Jean 格式(h = 2 ms)运动的顶点;\
-            当反弹高度与一步内的下落量相当时,它们偏离直线。",
+        zh: "第 k 次反弹后的高度是首次下落高度的 e^{2k} 倍：在对数坐标下是关于 k 的直线，其斜率是飞行时间（按 e 递减）的两倍。标记点是 Moreau–Jean 格式（h = 2 ms）运动的顶点；\
+            当反弹高度与一步内的下落量相当时，它们偏离直线。",
     },
     obtained: Words {
         en: "Apexes of simulated motions, and `BouncingBall::apex_height`.",
-        zh: "标记点取自仿真轨迹的顶点,直线由 `BouncingBall::apex_height` 计算。",
+        zh: "标记点取自仿真轨迹的顶点，直线由 `BouncingBall::apex_height` 计算。",
     },
     command: "moreau simulate --scene bouncing-ball --step 0.002 --restitution 0.8 --duration 5",
     claims: &["S0.height-e2", "S12.energy"],
@@ -61,16 +61,16 @@ pub(super) const HEIGHTS: Picture = Picture {
 
 pub(super) const MEASURE: Picture = Picture {
     id: "impulse-as-a-measure",
-    question: Words { en: "Why is the contact impulse a measure, and no force?", zh: "接触作用为什么是测度,而不是力?" },
+    question: Words { en: "Why is the contact impulse a measure, and no force?", zh: "接触作用为什么是测度，而不是力？" },
     caption: Words {
         en: "What the floor has given to the ball up to a time: it jumps at every impact by (1 + e) m v⁻, an atom, and after \
             T∞ it grows with the slope m g, a density. Both are one measure. The scheme never separates them: it gives one impulse \
             (N·s) per step, and their sum follows the measure.",
-        zh: "地面累计传给球的冲量:每次碰撞跳跃 (1 + e) m v⁻,即一个原子;T∞ 之后以斜率 m g 增长,即密度部分。二者同属一个测度。时步格式并不区分它们:每一步只给出一个冲量(N·s),其累计和逼近该测度。",
+        zh: "地面累计传给球的冲量：每次碰撞跳跃 (1 + e) m v⁻，即一个原子；T∞ 之后以斜率 m g 增长，即密度部分。二者同属一个测度。时步格式并不区分它们：每一步只给出一个冲量（N·s），其累计和逼近该测度。",
     },
     obtained: Words {
         en: "Impulses of Moreau–Jean at h = 2 ms, summed; the exact sum is that of the atoms and of the density.",
-        zh: "Moreau–Jean 格式(h = 2 ms)各步冲量及其累计和;精确值为各原子与密度部分之和。",
+        zh: "Moreau–Jean 格式（h = 2 ms）各步冲量及其累计和；精确值为各原子与密度部分之和。",
     },
     command: "moreau verify --explain S0.measure-split",
     claims: &["S0.measure-split", "S11.atom", "S7.atom"],

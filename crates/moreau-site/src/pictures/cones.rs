@@ -16,14 +16,14 @@ const FRICTION: f64 = 0.6;
 pub(super) const PROJECTION: Picture = Picture {
     id: "cone-projection",
     question: Words {
-        en: "Where does the projection on the friction cone send an impulse?", zh: "向摩擦锥投影时,冲量会被送到哪里?"
+        en: "Where does the projection on the friction cone send an impulse?", zh: "向摩擦锥投影时，冲量会被送到哪里？"
     },
     caption: Words {
         en: "The plane of tangential and normal impulse, μ = 0.6. Inside the cone nothing moves (stick); from the polar cone, \
             whose slope is 1/μ, everything goes to the apex (open); from elsewhere an impulse goes perpendicularly to the border (slip)\
             . A negative normal impulse alone does not open the contact. What the projection removes lies in the polar cone and is \
             perpendicular to what remains.",
-        zh: "横轴切向冲量,纵轴法向冲量,μ = 0.6。锥内的点不动(粘着);极锥(斜率 1/μ)内的点投到锥顶(分离);其余的点垂直投到锥面(滑动)。法向冲量为负并不足以判定分离。被投影去掉的部分位于极锥内,且与保留的部分正交。",
+        zh: "横轴切向冲量，纵轴法向冲量，μ = 0.6。锥内的点不动（粘着）；极锥（斜率 1/μ）内的点投到锥顶（分离）；其余的点垂直投到锥面（滑动）。法向冲量为负并不足以判定分离。被投影去掉的部分位于极锥内，且与保留的部分正交。",
     },
     obtained: Words {
         en: "Points projected by `cones::second_order::project`, which all solvers use.",
@@ -38,15 +38,15 @@ pub(super) const DE_SAXCE: Picture = Picture {
     id: "de-saxce-correction",
     question: Words {
         en: "How does Coulomb's law become a complementarity of dual cones?",
-        zh: "Coulomb 摩擦定律如何化为对偶锥之间的互补关系?",
+        zh: "库仑摩擦定律如何化为对偶锥之间的互补关系？",
     },
     caption: Words {
         en: "Velocities of a contact that slides have u_n = 0 and lie below the dual cone K*. Adding μ‖u_t‖ to the normal \
             component lifts each of them onto the border of K*, perpendicular to the border of K on which the friction impulse lies: K \
             ∋ r ⟂ û ∈ K*. Without the correction the convex law moves the velocity itself onto that border: the block lifts off as it \
             slides.",
-        zh: "滑动接触的相对速度满足 u_n = 0,位于对偶锥 K* 之下。在法向分量上加 μ‖u_t‖ 后,速度恰好被抬到 K* 的边界上,并与摩擦冲量所在的 K 的边界正交:K ∋ r ⟂ û ∈ K*。若不作该修正,\
-            凸化的定律会把速度本身推到这条边界上:物块边滑动边抬起。",
+        zh: "滑动接触的相对速度满足 u_n = 0，位于对偶锥 K* 之下。在法向分量上加 μ‖u_t‖ 后，速度恰好被抬到 K* 的边界上，并与摩擦冲量所在的 K 的边界正交：K ∋ r ⟂ û ∈ K*。若不作该修正，\
+            凸化的定律会把速度本身推到这条边界上：物块边滑动边抬起。",
     },
     obtained: Words { en: "Velocities moved by `cones::de_saxce::correct`.", zh: "由 `cones::de_saxce::correct` 对速度作修正。" },
     command: "moreau verify --explain S2.desaxce-incl",
@@ -56,17 +56,17 @@ pub(super) const DE_SAXCE: Picture = Picture {
 
 pub(super) const POLYHEDRAL: Picture = Picture {
     id: "polyhedral-error",
-    question: Words { en: "How many friction directions are enough?", zh: "多面体摩擦锥需要多少个方向才够?" },
+    question: Words { en: "How many friction directions are enough?", zh: "多面体摩擦锥需要多少个方向才够？" },
     caption: Words {
         en: "The errors of a cone with d directions. The strength in its weakest direction errs by 1 − cos(π/d), of second \
             order in 1/d; the direction of the friction force by π/d, and the force itself by 2 sin(π/2d), of first order. “Of order \
             1/d” is true of the force and not of the shape. Eight directions lose 8 % of strength and may point 22.5° aside.",
-        zh: "具有 d 个方向的多面体锥的误差。最弱方向上的强度误差为 1 − cos(π/d),关于 1/d 二阶;摩擦力方向误差为 π/d、力矢量误差为 2 sin(π/2d),均为一阶。所谓“误差 O(1/d)”指力而非锥的形状。\
-            八个方向损失 8 % 的强度,方向最多偏 22.5°。",
+        zh: "具有 d 个方向的多面体锥的误差。最弱方向上的强度误差为 1 − cos(π/d)，关于 1/d 二阶；摩擦力方向误差为 π/d、力矢量误差为 2 sin(π/2d)，均为一阶。所谓“误差 O(1/d)”指力而非锥的形状。\
+            八个方向损失 8 % 的强度，方向最多偏 22.5°。",
     },
     obtained: Words {
         en: "Marks are measured: by bisection of the membership, and over 720 sliding directions. Lines are the closed forms.",
-        zh: "标记为实测:强度由成员判定的二分法得到,方向误差遍历 720 个滑动方向;线为闭式。",
+        zh: "标记为实测：强度由成员判定的二分法得到，方向误差遍历 720 个滑动方向；线为闭式。",
     },
     command: "moreau verify --explain M.cone-error",
     claims: &["M.cone-error", "S4.poly-order", "S4.d8"],
@@ -75,12 +75,12 @@ pub(super) const POLYHEDRAL: Picture = Picture {
 
 pub(super) const DIRECTION: Picture = Picture {
     id: "pyramid-direction",
-    question: Words { en: "Does friction on a pyramid oppose the sliding?", zh: "多面体锥上的摩擦力与滑动方向相反吗?" },
+    question: Words { en: "Does friction on a pyramid oppose the sliding?", zh: "多面体锥上的摩擦力与滑动方向相反吗？" },
     caption: Words {
         en: "The angle between the friction force of maximal dissipation and the direction opposite to sliding. With d \
             directions it picks the vertex nearest to that direction: right at d angles, wrong by up to π/d between them. The polygons \
             show why: friction along d directions is anisotropic, and a body that slides diagonally is turned aside.",
-        zh: "最大耗散的摩擦力与滑动反方向之间的夹角。d 个方向的锥总是取最近的顶点:只在 d 个角度上准确,其间误差最多 π/d。右图的多边形说明原因:d 个方向的摩擦是各向异性的,斜向滑动的物体会被偏转。",
+        zh: "最大耗散的摩擦力与滑动反方向之间的夹角。d 个方向的锥总是取最近的顶点：只在 d 个角度上准确，其间误差最多 π/d。右图的多边形说明原因：d 个方向的摩擦是各向异性的，斜向滑动的物体会被偏转。",
     },
     obtained: Words {
         en: "`cones::polyhedral::most_dissipative` over 720 sliding directions.",

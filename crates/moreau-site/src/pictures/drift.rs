@@ -13,20 +13,20 @@ use moreau_forms::stabilised_circle::{biased_energy, biased_offset, projected_en
 pub(super) const PICTURE: Picture = Picture {
     id: "constraint-drift",
     question: Words {
-        en: "How far does a joint drift that is held at velocity level?", zh: "只在速度层面约束的关节会漂移多远?"
+        en: "How far does a joint drift that is held at velocity level?", zh: "只在速度层面约束的关节会漂移多远？"
     },
     caption: Words {
         en: "A point runs at 1 m/s on a circle of 1 m without load. A velocity-level step leaves along the tangent, and the \
             radius grows without end. Baumgarte's bias, ERP = 0.2 as in Bullet, settles at a distance of h²v²/(2 ERP R): of second \
             order, and nothing more is lost of the energy. Projection (and Gear–Gupta–Leimkuhler) stays on the circle and pays with \
             energy, n (hv/R)² in n steps.",
-        zh: "质点以 1 m/s 在半径 1 m 的圆上运动,无外载。速度层面的步沿切线离开,半径不断增大。Baumgarte 偏置(ERP = 0.2,同 Bullet)使偏差稳定在 h²v²/(2 ERP R):为二阶小量,\
-            此后能量不再损失。投影法(以及 Gear–Gupta–Leimkuhler)保持在圆上,代价是能量:n 步约损失 n (hv/R)²。",
+        zh: "质点以 1 m/s 在半径 1 m 的圆上运动，无外载。速度层面的步沿切线离开，半径不断增大。Baumgarte 偏置（ERP = 0.2，同 Bullet）使偏差稳定在 h²v²/(2 ERP R)：为二阶小量，\
+            此后能量不再损失。投影法（以及 Gear–Gupta–Leimkuhler）保持在圆上，代价是能量：n 步约损失 n (hv/R)²。",
     },
     obtained: Words {
         en: "Steps of `moreau-dynamics::stabilisation`; grey are the closed forms of `stabilised_circle` and of the kept \
             momentum.",
-        zh: "由 `moreau-dynamics::stabilisation` 逐步计算;灰线为 `stabilised_circle` 及角动量守恒给出的闭式。",
+        zh: "由 `moreau-dynamics::stabilisation` 逐步计算；灰线为 `stabilised_circle` 及角动量守恒给出的闭式。",
     },
     command: "moreau verify --explain S9.velocity-drift",
     claims: &["S9.velocity-drift", "S2.vel-drift", "S9.projection-energy", "S9.bullet-erp", "S9.ggl"],

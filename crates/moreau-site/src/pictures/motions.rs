@@ -22,19 +22,19 @@ use nalgebra::{DMatrix, DVector, dvector};
 
 pub(super) const CRADLE: Picture = Picture {
     id: "newtons-cradle",
-    question: Words { en: "Who moves after three balls have met?", zh: "三球相碰之后,谁在运动?" },
+    question: Words { en: "Who moves after three balls have met?", zh: "三球相碰之后，谁在运动？" },
     caption: Words {
         en: "The first of three equal balls arrives at 1 m/s. If all contacts act at once (Moreau), the second and third leave \
             together and the first turns back for e > ½. If the impact passes from contact to contact, e = 1 gives all to the third, \
             as the toy does. Both keep momentum, both keep energy at e = 1: coefficients do not decide between them, and neither does \
             the mechanics of rigid bodies. For e < 1 the first ball catches up, and the sequence goes on beyond its first two impacts.",
-        zh: "三个相同的球,第一个以 1 m/s 到达。若所有接触同时作用(Moreau 定律),第二、第三球一起离开,e > ½ 时第一球反弹。若碰撞逐个接触传递,e = 1 时全部速度传给第三球,如同牛顿摆玩具。二者都守恒动量,e = \
-            1 时都守恒能量:恢复系数无法在两者之间取舍,刚体力学也不能。e < 1 时第一球还会追上第二球,碰撞序列不止前两次。",
+        zh: "三个相同的球，第一个以 1 m/s 到达。若所有接触同时作用（Moreau 定律），第二、第三球一起离开，e > ½ 时第一球反弹。若碰撞逐个接触传递，e = 1 时全部速度传给第三球，如同牛顿摆玩具。二者都守恒动量，e = \
+            1 时都守恒能量：恢复系数无法在两者之间取舍，刚体力学也不能。e < 1 时第一球还会追上第二球，碰撞序列不止前两次。",
     },
     obtained: Words {
         en: "Marks: `impact_laws::moreau`, and `impact_laws::sequential` until nothing approaches, on `BallChain`; lines: \
             `newtons_cradle`.",
-        zh: "标记:对 `BallChain` 应用 `impact_laws::moreau` 与 `impact_laws::sequential`(完整序列);线:`newtons_cradle` 闭式。",
+        zh: "标记：对 `BallChain` 应用 `impact_laws::moreau` 与 `impact_laws::sequential`（完整序列）；线：`newtons_cradle` 闭式。",
     },
     command: "moreau verify --explain S7.multi-nonunique",
     claims: &["S7.multi-nonunique", "S7.newton-neq-poisson-multi", "S7.solver-pivot"],
@@ -43,17 +43,17 @@ pub(super) const CRADLE: Picture = Picture {
 
 pub(super) const ROLLING: Picture = Picture {
     id: "sliding-to-rolling",
-    question: Words { en: "At which speed does a sliding sphere begin to roll?", zh: "滑动的球在什么速度下开始纯滚动?" },
+    question: Words { en: "At which speed does a sliding sphere begin to roll?", zh: "滑动的球在什么速度下开始纯滚动？" },
     caption: Words {
         en: "A sphere of 1 kg is thrown at 1 m/s without spin on a floor with μ = 0.2. Friction of size μ m g brakes it and \
             spins it up until the slip is zero, at 5/7 m/s whatever μ; then it vanishes. The set-valued law does this within a step: \
             the tangential impulse that ends the slip lies inside the cone. Grey is the closed form, lines are Moreau–Jean at h = 10 ms.",
-        zh: "1 kg 的球以 1 m/s 无自旋抛在 μ = 0.2 的地面上。大小为 μ m g 的摩擦力使其减速并加快自转,直到滑动速度为零——此时速度为 5/7 m/s,与 μ 无关,摩擦随即消失。集值摩擦定律在一步之内就完成切换:\
-            使滑动终止的切向冲量落在锥内。灰线为闭式解,曲线为 Moreau–Jean 格式(h = 10 ms)。",
+        zh: "1 kg 的球以 1 m/s 无自旋抛在 μ = 0.2 的地面上。大小为 μ m g 的摩擦力使其减速并加快自转，直到滑动速度为零——此时速度为 5/7 m/s，与 μ 无关，摩擦随即消失。集值摩擦定律在一步之内就完成切换：\
+            使滑动终止的切向冲量落在锥内。灰线为闭式解，曲线为 Moreau–Jean 格式（h = 10 ms）。",
     },
     obtained: Words {
         en: "The scene `rolling-sphere` under `moreau-jean`; grey is `SlidingToRolling`.",
-        zh: "场景 `rolling-sphere` 在 `moreau-jean` 格式下的仿真;灰线为 `SlidingToRolling`。",
+        zh: "场景 `rolling-sphere` 在 `moreau-jean` 格式下的仿真；灰线为 `SlidingToRolling`。",
     },
     command: "moreau simulate --scene rolling-sphere --step 0.01",
     claims: &["S4.maxdiss", "P.scenes", "S7.friction-bound"],
@@ -63,19 +63,19 @@ pub(super) const ROLLING: Picture = Picture {
 pub(super) const BAR: Picture = Picture {
     id: "elastic-bar-force",
     question: Words {
-        en: "Is the contact force of an elastic body as smooth as its mesh says?", zh: "弹性体的接触力,网格算出来的可信吗?"
+        en: "Is the contact force of an elastic body as smooth as its mesh says?", zh: "弹性体的接触力，网格算出来的可信吗？"
     },
     caption: Words {
         en: "A bar of 20 elements hits a wall. The exact force is constant, ρ c A V, until the wave returns: a finite force \
             over a finite time where a rigid body has an impulse. Average acceleration with the mass lumped at the striking end makes \
             it oscillate at the frequency of the mesh: the end has a mass of its own and bounces. Giving that mass to the next node \
             (redistributed mass) removes most of the oscillation.",
-        zh: "20 个单元的杆撞墙。精确接触力为常数 ρ c A V,直到应力波返回:在刚体只有冲量的地方,弹性体是有限时间内的有限力。端部集中质量加平均加速度法会使接触力以网格频率振荡:端点自身有质量,会弹跳。\
-            把该质量移到相邻节点(质量重分布)可消除大部分振荡。",
+        zh: "20 个单元的杆撞墙。精确接触力为常数 ρ c A V，直到应力波返回：在刚体只有冲量的地方，弹性体是有限时间内的有限力。端部集中质量加平均加速度法会使接触力以网格频率振荡：端点自身有质量，会弹跳。\
+            把该质量移到相邻节点（质量重分布）可消除大部分振荡。",
     },
     obtained: Words {
         en: "`FiniteElementBar` with and without redistributed mass, h a quarter of an element's time; grey is `ElasticBar`.",
-        zh: "由 `FiniteElementBar`(有/无质量重分布)计算,h 取单元波行时间的四分之一;灰线为 `ElasticBar` 闭式解。",
+        zh: "由 `FiniteElementBar`（有/无质量重分布）计算，h 取单元波行时间的四分之一；灰线为 `ElasticBar` 闭式解。",
     },
     command: "moreau verify --explain S11.rigid-to-fem",
     claims: &["S11.rigid-to-fem", "S11.fem-refs"],
@@ -84,17 +84,17 @@ pub(super) const BAR: Picture = Picture {
 
 pub(super) const OSCILLATOR: Picture = Picture {
     id: "dry-friction-oscillator",
-    question: Words { en: "When does dry friction stop an oscillation?", zh: "干摩擦会在何时让振动停下来?" },
+    question: Words { en: "When does dry friction stop an oscillation?", zh: "干摩擦会在何时让振动停下来？" },
     caption: Words {
         en: "A mass on a spring and a rough floor, released at 1 m; μ m g/k = 0.12 m. Each half-cycle is a half-circle about \
             ±δ, and the amplitude falls by 2δ: in a straight line, not exponentially. The first time it turns within the shaded zone \
             |q| ≤ δ it stays there for ever – Filippov's sliding mode on q̇ = 0, reached in finite time.",
-        zh: "弹簧–质量系统置于粗糙地面,自 1 m 处释放;δ = F/k = 0.12 m。每个半周期在相平面上是以 ±δ 为圆心的半圆,振幅每次减少 2δ:线性衰减而非指数衰减。一旦在阴影区 |q| ≤ δ 内折返,\
-            便永远停在那里——即 q̇ = 0 上的 Filippov 滑模,在有限时间内到达。",
+        zh: "弹簧–质量系统置于粗糙地面，自 1 m 处释放；δ = F/k = 0.12 m。每个半周期在相平面上是以 ±δ 为圆心的半圆，振幅每次减少 2δ：线性衰减而非指数衰减。一旦在阴影区 |q| ≤ δ 内折返，\
+            便永远停在那里——即 q̇ = 0 上的 Filippov 滑模，在有限时间内到达。",
     },
     obtained: Words {
         en: "Event-driven with Filippov's convention (`filippov::advance`), 240 samples; grey is `DryFrictionOscillator`.",
-        zh: "事件驱动法与 Filippov 约定(`filippov::advance`),240 个采样;灰线为 `DryFrictionOscillator` 闭式解。",
+        zh: "事件驱动法与 Filippov 约定（`filippov::advance`），240 个采样；灰线为 `DryFrictionOscillator` 闭式解。",
     },
     command: "moreau verify --explain S1.stick-sliding",
     claims: &["S1.stick-sliding", "S1.filippov"],

@@ -12,19 +12,19 @@ use moreau_forms::BouncingBall;
 
 pub(super) const PICTURE: Picture = Picture {
     id: "order-in-four-metrics",
-    question: Words { en: "Of which order is a scheme through an impact?", zh: "跨越碰撞时,时步格式究竟是几阶的?" },
+    question: Words { en: "Of which order is a scheme through an impact?", zh: "跨越碰撞时，时步格式究竟是几阶的？" },
     caption: Words {
         en: "The distance between Moreau–Jean's motion of a ball through one impact and the closed form, over the step. \
             Positions, velocities in L¹ and filled-in velocity graphs converge with the first order. The largest difference of \
             velocities does not converge at all: the impact comes up to a step too early or late, and until then the velocities differ \
             by the whole jump. Which order a scheme has is a question of the distance. Each point is the worst of four steps that put \
             the impact at different phases.",
-        zh: "Moreau–Jean 格式计算的球(经历一次碰撞)与闭式解之间的距离随步长的变化。位置误差、速度的 L¹ 误差以及填充速度图的 Hausdorff 距离均为一阶收敛;速度的最大误差则完全不收敛:碰撞时刻会提前或滞后至多一步,\
-            在此期间速度相差整个跳跃。所谓“阶”取决于所用的距离。每个点取四个步长(碰撞落在步内的不同相位)中误差最大者。",
+        zh: "Moreau–Jean 格式计算的球（经历一次碰撞）与闭式解之间的距离随步长的变化。位置误差、速度的 L¹ 误差以及填充速度图的 Hausdorff 距离均为一阶收敛；速度的最大误差则完全不收敛：碰撞时刻会提前或滞后至多一步，\
+            在此期间速度相差整个跳跃。所谓“阶”取决于所用的距离。每个点取四个步长（碰撞落在步内的不同相位）中误差最大者。",
     },
     obtained: Words {
         en: "Four metrics of `moreau-dynamics` on simulated motions to t = 0.8 s; slopes by least squares on the worst phases.",
-        zh: "对仿真运动(至 t = 0.8 s)用 `moreau-dynamics` 的四种度量计算误差;斜率由最不利相位的最小二乘拟合得到。",
+        zh: "对仿真运动（至 t = 0.8 s）用 `moreau-dynamics` 的四种度量计算误差；斜率由最不利相位的最小二乘拟合得到。",
     },
     command: "moreau verify --explain T.moreau-convergence",
     claims: &["T.moreau-convergence", "S0.all-Oh", "P.order-zero", "S0.order-meaningless"],

@@ -16,20 +16,20 @@ pub(super) const PAINLEVE: Picture = Picture {
     id: "painleve-regions",
     question: Words {
         en: "For which angles and frictions has a sliding rod no force, or two?",
-        zh: "滑动的杆在哪些倾角与摩擦系数下没有接触力解,或有两个解?",
+        zh: "滑动的杆在哪些倾角与摩擦系数下没有接触力解，或有两个解？",
     },
     caption: Words {
         en: "A uniform rod slides with one end on a floor, towards the side it leans to. Below the curve one sliding force \
             exists. Above it W_nn + μ W_nt < 0: pushing harder makes the end approach faster, and there is none or there are two – \
             Painlevé's paradox. The curve is (1 + 3c²)/(3 s c) and never falls below μ = 4/3. Impulses resolve the paradox: the slide \
             ends at once, an impact without collision.",
-        zh: "均质杆的一端在地面上朝其倾斜的一侧滑动。曲线下方存在唯一的滑动接触力;曲线上方 W_nn + μ W_nt < 0:压得越紧,杆端接近得越快,接触力或者无解,或者有两个解——即 Painlevé 佯谬。曲线为 (1 + 3c²)\
-            /(3 s c),最低点 μ = 4/3。用冲量描述即可化解:滑动瞬间终止,成为“无碰撞的冲击”。",
+        zh: "均质杆的一端在地面上朝其倾斜的一侧滑动。曲线下方存在唯一的滑动接触力；曲线上方 W_nn + μ W_nt < 0：压得越紧，杆端接近得越快，接触力或者无解，或者有两个解——即 Painlevé 悖论。曲线为 (1 + 3c²)\
+            /(3 s c)，最低点 μ = 4/3。用冲量描述即可化解：滑动瞬间终止，成为“无碰撞的冲击”。",
     },
     obtained: Words {
         en: "Marks: the friction at which the sign of W_nn + μ W_nt changes, by bisection on the Delassus operator of \
             `PainleveRod`.",
-        zh: "标记:由 `PainleveRod` 的 Delassus 算子对 W_nn + μ W_nt 的符号作二分得到的临界摩擦;曲线为闭式。",
+        zh: "标记：由 `PainleveRod` 的 Delassus 算子对 W_nn + μ W_nt 的符号作二分得到的临界摩擦；曲线为闭式。",
     },
     command: "moreau verify --explain S4.painleve",
     claims: &["S4.painleve", "S4.painleve-atom", "S11.painleve"],
@@ -38,18 +38,18 @@ pub(super) const PAINLEVE: Picture = Picture {
 
 pub(super) const GAIN: Picture = Picture {
     id: "energy-gain-of-the-rod",
-    question: Words { en: "When does Newton's impact law create energy?", zh: "Newton 碰撞定律何时会凭空产生能量?" },
+    question: Words { en: "When does Newton's impact law create energy?", zh: "Newton 碰撞定律何时会凭空产生能量？" },
     caption: Words {
         en: "A rod of 1 kg hits a rough floor with one end, U⁻ = (−1, 0.6) m/s, e = 0.9. Shades tell by which share of the \
             energy of the contact, ½U⁻ᵀW⁻¹U⁻, the impact changes it under Newton's law along Routh's path; the two darkest gain. The \
             law prescribes a velocity, whatever energy friction leaves for it. Stronge's law, which prescribes the ratio of works, \
             gains nowhere.",
-        zh: "1 kg 的杆以一端撞击粗糙地面,U⁻ = (−1, 0.6) m/s,e = 0.9。色阶表示沿 Routh 路径按 Newton 定律碰撞后,接触能量 ½U⁻ᵀW⁻¹U⁻ 的相对变化;最深的两级表示能量增加。\
-            该定律只规定法向速度,而不问摩擦还剩多少能量可用。Stronge 定律规定功的比值,处处不增能量。",
+        zh: "1 kg 的杆以一端撞击粗糙地面，U⁻ = (−1, 0.6) m/s，e = 0.9。色阶表示沿 Routh 路径按 Newton 定律碰撞后，接触能量 ½U⁻ᵀW⁻¹U⁻ 的相对变化；最深的两级表示能量增加。\
+            该定律只规定法向速度，而不问摩擦还剩多少能量可用。Stronge 定律规定功的比值，处处不增能量。",
     },
     obtained: Words {
         en: "Newton's law along Routh's path (`impact_laws`) on a grid of 60 × 40; the energy is ½Pᵀ(U⁺ + U⁻).",
-        zh: "在 60 × 40 网格上用 `impact_laws` 的 Routh 路径与 Newton 定律计算;能量变化为 ½Pᵀ(U⁺ + U⁻)。",
+        zh: "在 60 × 40 网格上用 `impact_laws` 的 Routh 路径与 Newton 定律计算；能量变化为 ½Pᵀ(U⁺ + U⁻)。",
     },
     command: "moreau verify --explain S7.kane-friction",
     claims: &["S7.kane-friction", "S7.stronge-no-gain", "S4.ex3-energy"],
@@ -60,15 +60,15 @@ pub(super) const LAWS: Picture = Picture {
     id: "three-laws-on-one-path",
     question: Words {
         en: "Where do the laws of Newton, Poisson and Stronge end one impact?",
-        zh: "同一次碰撞,Newton、Poisson 与 Stronge 定律各在何处结束?",
+        zh: "同一次碰撞，Newton、Poisson 与 Stronge 定律各在何处结束？",
     },
     caption: Words {
         en: "The velocities of a rod's end while its normal impulse grows (Routh), at 45°, μ = 0.2, U⁻ = (−1, 0.6) m/s, e = \
             0.5. Compression ends where u_n = 0. The sliding stops on the way, and the path has a corner. Newton's law ends where u_n \
             = −e u_n⁻, Poisson's where the impulse is (1 + e) times that of compression, Stronge's where the normal force has given \
             back e² of its work. Without friction, or without the coupling W_nt, the three ends are one.",
-        zh: "法向冲量增长过程中杆端的速度(Routh 方法),倾角 45°,μ = 0.2,U⁻ = (−1, 0.6) m/s,e = 0.5。u_n = 0 处压缩阶段结束。途中滑动停止,路径出现折角。Newton 定律终止于 u_n \
-            = −e u_n⁻,Poisson 定律终止于冲量达到压缩冲量的 (1 + e) 倍处,Stronge 定律终止于法向力归还 e² 的功处。若无摩擦或无耦合 W_nt,三者重合。",
+        zh: "法向冲量增长过程中杆端的速度（Routh 方法），倾角 45°，μ = 0.2，U⁻ = (−1, 0.6) m/s，e = 0.5。u_n = 0 处压缩阶段结束。途中滑动停止，路径出现折角。Newton 定律终止于 u_n \
+            = −e u_n⁻，Poisson 定律终止于冲量达到压缩冲量的 (1 + e) 倍处，Stronge 定律终止于法向力归还 e² 的功处。若无摩擦或无耦合 W_nt，三者重合。",
     },
     obtained: Words {
         en: "The path of `impact_laws::routh` and the three laws along it.",

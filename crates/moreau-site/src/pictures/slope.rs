@@ -23,17 +23,17 @@ const STICKING: f64 = 0.5;
 
 pub(super) const GLIDING: Picture = Picture {
     id: "gliding-gap",
-    question: Words { en: "What is the price of a convex contact problem?", zh: "把接触问题凸化,要付出什么代价?" },
+    question: Words { en: "What is the price of a convex contact problem?", zh: "把接触问题凸化，要付出什么代价？" },
     caption: Words {
         en: "A block slides down a slope of 20° with μ = 0.3 under Anitescu's convex scheme. It does not touch the slope: it \
             floats at the height φ = μ h v_t, which grows with its speed and vanishes with the step. Grey is that height for the exact \
             speed. A block that sticks shows nothing of this: the hard relaxation has no creep.",
-        zh: "物块沿 20° 斜面下滑,μ = 0.3,采用 Anitescu 凸格式。物块并不贴着斜面,而是悬浮在间隙 φ = μ h v_t 处:间隙随速度增大,随步长趋于零。灰线是由精确速度算出的该间隙。粘着的物块则没有这种误差:\
-            硬接触的凸松弛不产生蠕动。",
+        zh: "物块沿 20° 斜面下滑，μ = 0.3，采用 Anitescu 凸格式。物块并不贴着斜面，而是悬浮在间隙 φ = μ h v_t 处：间隙随速度增大，随步长趋于零。灰线是由精确速度算出的该间隙。粘着的物块则没有这种误差：\
+            硬接触的凸松弛不产生蠕滑。",
     },
     obtained: Words {
         en: "Simulated by the scheme `anitescu` at three steps; the speed of the grey lines is `InclineBlock`.",
-        zh: "由 `anitescu` 格式以三种步长仿真;灰线的速度取自 `InclineBlock` 闭式解。",
+        zh: "由 `anitescu` 格式以三种步长仿真；灰线的速度取自 `InclineBlock` 闭式解。",
     },
     command: "moreau simulate --scene incline-slide --scheme anitescu --step 0.01",
     claims: &["S5.glide-h-not-mu", "S5.Oh-vanish", "S5.gliding-creep"],
@@ -43,7 +43,7 @@ pub(super) const GLIDING: Picture = Picture {
 pub(super) const CREEP: Picture = Picture {
     id: "creep-over-step",
     question: Words {
-        en: "Whose block creeps down a slope where it should stick?", zh: "本应粘着的物块,在哪些引擎里会缓慢下滑?"
+        en: "Whose block creeps down a slope where it should stick?", zh: "本应粘着的物块，在哪些引擎里会缓慢下滑？"
     },
     caption: Words {
         en: "A block of 1 kg on a slope of 20° with μ = 0.5 > tan 20°. Grey lines are the engines' own models, marks are our \
@@ -51,14 +51,14 @@ pub(super) const CREEP: Picture = Picture {
             friction creep at a speed that no step makes smaller; more `impratio` makes MuJoCo's smaller, and beyond h = 10 ms its \
             time constant of two steps softens it. Moreau–Jean, Stewart–Trinkle and Anitescu stick exactly, and have no place on a \
             logarithmic axis.",
-        zh: "质量 1 kg 的物块置于 20° 斜面,μ = 0.5 > tan 20°。灰线为各引擎自身模型的闭式解,标记为我们复现的引擎步进。Drake 的 SAP 蠕动速度与步长成正比;MuJoCo 的椭圆锥与 Drake \
-            的正则化摩擦以固定速度蠕动,减小步长无济于事;增大 `impratio` 可减小 MuJoCo 的蠕动,而 h 超过 10 ms 时其时间常数取两步之长,接触随之变软。Moreau–Jean、Stewart–Trinkle 与 Anitescu \
-            精确粘着,在对数坐标上无处可画。",
+        zh: "质量 1 kg 的物块置于 20° 斜面，μ = 0.5 > tan 20°。灰线为各引擎自身模型的闭式解，标记为我们复现的引擎步进。Drake 的 SAP 蠕滑速度与步长成正比；MuJoCo 的椭圆锥与 Drake \
+            的正则化摩擦以固定速度蠕滑，减小步长无济于事；增大 `impratio` 可减小 MuJoCo 的蠕滑，而 h 超过 10 ms 时其时间常数取两步之长，接触随之变软。Moreau–Jean、Stewart–Trinkle 与 Anitescu \
+            精确粘着，在对数坐标上无处可画。",
     },
     obtained: Words {
         en: "One second with each replica on one contact, its last speed; lines by `drake_sap`, `mujoco_contact` and \
             `regularised_friction`.",
-        zh: "单接触点下各复现格式仿真 1 s 后的末速度;线由 `drake_sap`、`mujoco_contact` 与 `regularised_friction` 的闭式给出。",
+        zh: "单接触点下各复现格式仿真 1 s 后的末速度；线由 `drake_sap`、`mujoco_contact` 与 `regularised_friction` 的闭式给出。",
     },
     command: "moreau compare incline-stick --schemes moreau-jean,anitescu,mujoco,drake-sap,drake-similar --step 0.005",
     claims: &["S5.gliding-creep", "S5.glide-h-not-mu", "Pr.sap-gliding", "S6.impratio", "R6"],

@@ -16,19 +16,19 @@ pub(super) const GRAPHS: Picture = Picture {
     id: "filled-in-graphs",
     question: Words {
         en: "What does softening do to the laws of Signorini and Coulomb?",
-        zh: "软化(正则化)把 Signorini 与 Coulomb 定律变成了什么?",
+        zh: "软化（正则化）把 Signorini 与库仑定律变成了什么？",
     },
     caption: Words {
         en: "Both laws are graphs with vertical pieces, drawn grey: at φ = 0 every force ≥ 0 is possible, at slip 0 every \
             friction up to μ f_n. Regularisation replaces them by functions. The price is seen where a load is to be carried: a \
             penetration f/k > 0, and a slip > 0 under every friction below μ f_n – creep. The Huber row of MuJoCo and Drake's curves \
             differ in shape, not in this.",
-        zh: "两条定律都是带竖直段的图(灰线):φ = 0 处任何非负法向力都可能,滑动速度为 0 时摩擦力可取 μ f_n 以内的任何值,即集值符号函数。正则化用单值函数取而代之。代价在承受载荷时显现:必有穿透 f/k > 0,且任何小于 \
-            μ f_n 的摩擦力都伴随非零滑动——蠕动。MuJoCo 的 Huber 行与 Drake 的曲线形状不同,但这一点相同。",
+        zh: "两条定律都是带竖直段的图（灰线）：φ = 0 处任何非负法向力都可能，滑动速度为 0 时摩擦力可取 μ f_n 以内的任何值，即集值符号函数。正则化用单值函数取而代之。代价在承受载荷时显现：必有穿透 f/k > 0，且任何小于 \
+            μ f_n 的摩擦力都伴随非零滑动——蠕滑。MuJoCo 的 Huber 行与 Drake 的曲线形状不同，但这一点相同。",
     },
     obtained: Words {
         en: "The curves of `huber` and `regularised_friction`, and penalties of two stiffnesses; μ f_n = 1 N, v_s = 10 mm/s.",
-        zh: "由 `huber` 与 `regularised_friction` 的闭式及两种刚度的罚函数给出;μ f_n = 1 N,v_s = 10 mm/s。",
+        zh: "由 `huber` 与 `regularised_friction` 的闭式及两种刚度的罚函数给出；μ f_n = 1 N，v_s = 10 mm/s。",
     },
     command: "moreau verify --explain S2.soft-limit",
     claims: &["S2.soft-limit", "S6.huber-box", "S3.moreau-env", "S2.branches"],
@@ -37,17 +37,17 @@ pub(super) const GRAPHS: Picture = Picture {
 
 pub(super) const IMPEDANCE: Picture = Picture {
     id: "mujoco-impedance",
-    question: Words { en: "How does MuJoCo's contact harden with depth?", zh: "MuJoCo 的接触怎样随穿透深度变硬?" },
+    question: Words { en: "How does MuJoCo's contact harden with depth?", zh: "MuJoCo 的接触怎样随穿透深度变硬？" },
     caption: Words {
         en: "The impedance d over the penetration, `solimp` = (0.9, 0.95, 1 mm, 0.5, p). It goes from 0.9 at the surface to \
             0.95 at 1 mm and stays there; the power p shapes the way. R = (1−d)/d · Â is what the contact gives way by: between \
             surface and width it falls by about half, so a deeper contact is harder, and never hard.",
-        zh: "阻抗 d 随穿透深度的变化,`solimp` = (0.9, 0.95, 1 mm, 0.5, p)。d 从表面的 0.9 升到 1 mm 处的 0.95 后保持不变,幂次 p 决定过渡形状。R = (1−d)/d · Â \
-            决定接触的柔度:从表面到该宽度约减半,因此压得越深越硬,但永远不是刚性。",
+        zh: "阻抗 d 随穿透深度的变化，`solimp` = (0.9, 0.95, 1 mm, 0.5, p)。d 从表面的 0.9 升到 1 mm 处的 0.95 后保持不变，幂次 p 决定过渡形状。R = (1−d)/d · Â \
+            决定接触的柔度：从表面到该宽度约减半，因此压得越深越硬，但永远不是刚性。",
     },
     obtained: Words {
         en: "`ContactParameters::impedance_at` with three powers; R/Â beside it.",
-        zh: "由 `ContactParameters::impedance_at` 按三种幂次计算;右图为 R/Â。",
+        zh: "由 `ContactParameters::impedance_at` 按三种幂次计算；右图为 R/Â。",
     },
     command: "moreau verify --explain S6.impedance-curve",
     claims: &["S6.impedance-curve", "S6.impedance-range", "S6.R-formula", "S6.solimp-default"],
@@ -57,18 +57,18 @@ pub(super) const IMPEDANCE: Picture = Picture {
 pub(super) const BOUNCE: Picture = Picture {
     id: "bounce-of-a-spring-and-damper",
     question: Words {
-        en: "How high bounces what lands on a spring and a damper?", zh: "落在弹簧–阻尼接触上的物体会弹多高?"
+        en: "How high bounces what lands on a spring and a damper?", zh: "落在弹簧–阻尼接触上的物体会弹多高？"
     },
     caption: Words {
         en: "The coefficient of restitution of a linear spring and damper over its damping ratio ζ. If the contact may pull \
             until the gap opens, it is exp(−πζ/√(1−ζ²)) and nothing bounces from ζ = 1 on. Engines whose contact may not pull let go \
             as soon as the force would: e is larger, and critical damping still bounces with e = e⁻² = 0.135. Marks are integrated.",
-        zh: "线性弹簧–阻尼接触的恢复系数随阻尼比 ζ 的变化。若允许接触力为拉力直到间隙张开,e = exp(−πζ/√(1−ζ²)),ζ ≥ 1 时不再反弹。不允许拉力的引擎在力变号时即脱开:e 更大,临界阻尼下仍以 e = e⁻² = \
+        zh: "线性弹簧–阻尼接触的恢复系数随阻尼比 ζ 的变化。若允许接触力为拉力直到间隙张开，e = exp(−πζ/√(1−ζ²))，ζ ≥ 1 时不再反弹。不允许拉力的引擎在力变号时即脱开：e 更大，临界阻尼下仍以 e = e⁻² = \
             0.135 反弹。标记为数值积分结果。",
     },
     obtained: Words {
         en: "Lines: `CompliantImpact`. Marks: the flight out of the contact, integrated with θ = ½ in 4000 steps per radian.",
-        zh: "线:`CompliantImpact` 闭式;标记:用 θ = ½(每弧度 4000 步)积分接触过程直至脱离。",
+        zh: "线：`CompliantImpact` 闭式；标记：用 θ = ½（每弧度 4000 步）积分接触过程直至脱离。",
     },
     command: "moreau verify --explain S6.zeta-bounce",
     claims: &["S6.zeta-bounce", "S8.spring-damper-model", "S7.e-not-material"],
@@ -77,18 +77,18 @@ pub(super) const BOUNCE: Picture = Picture {
 
 pub(super) const LOAD: Picture = Picture {
     id: "penetration-over-load",
-    question: Words { en: "How deep does a light box sink under a heavy stack?", zh: "轻箱被重物压住时会陷入多深?" },
+    question: Words { en: "How deep does a light box sink under a heavy stack?", zh: "轻箱被重物压住时会陷入多深？" },
     caption: Words {
         en: "The rest depth of one contact of a body of 1 kg that carries a load, in units of its own weight. MuJoCo's depth \
             depends on the inertia of the body that is pressed: beyond a millimetre it grows in proportion to the mass ratio. Drake's \
             SAP has a stiffness of its own, limited by what the step resolves. Rapier's grows in proportion from the start. A hard \
             contact has depth 0 at every load, and no place on this axis.",
-        zh: "质量 1 kg 的物体承受载荷(以自重为单位)时单个接触的静止穿透深度。MuJoCo 的深度取决于被压物体的惯量:超过约 1 mm 后与质量比成正比。Drake 的 SAP 有自己的刚度,并受步长可分辨刚度的限制。Rapier \
-            从一开始就成正比。硬接触在任何载荷下深度为 0,在此坐标上无处可画。",
+        zh: "质量 1 kg 的物体承受载荷（以自重为单位）时单个接触的静止穿透深度。MuJoCo 的深度取决于被压物体的惯量：超过约 1 mm 后与质量比成正比。Drake 的 SAP 有自己的刚度，并受步长可分辨刚度的限制。Rapier \
+            从一开始就成正比。硬接触在任何载荷下深度为 0，在此坐标上无处可画。",
     },
     obtained: Words {
         en: "The engines' own models: `mujoco_contact`, `drake_sap` with h = 10 ms and k = 10⁵ N/m, `rapier_contact` with 30 Hz.",
-        zh: "由各引擎自身模型的闭式计算:`mujoco_contact`、`drake_sap`(h = 10 ms,k = 10⁵ N/m)、`rapier_contact`(30 Hz)。",
+        zh: "由各引擎自身模型的闭式计算：`mujoco_contact`、`drake_sap`（h = 10 ms，k = 10⁵ N/m）、`rapier_contact`（30 Hz）。",
     },
     command: "moreau simulate --scene box-stack --scheme mujoco --step 0.005",
     claims: &["S6.rest-penetration", "S2.penetration-zero", "S9.penetration-rigid-vs-soft", "S6.less-rigid-than-sap"],

@@ -12,19 +12,19 @@ use moreau_exact::{Error, Result};
 
 pub(super) const PICTURE: Picture = Picture {
     id: "residual-by-iteration",
-    question: Words { en: "How many iterations does a contact solver need?", zh: "接触求解器需要迭代多少次?" },
+    question: Words { en: "How many iterations does a contact solver need?", zh: "接触求解器需要迭代多少次？" },
     caption: Words {
         en: "The relative residual of the certificate for the first step of five boxes on each other under the convex law, \
             over the limit of iterations. Ten sweeps of projected Gauss–Seidel leave a residual that shows, and hundreds do not remove \
             it. Methods of first order with momentum (APGD) or spectral steps (BB) show little at first and then fall fast. An \
             interior point method needs a dozen iterations, each of which factorises a matrix.",
-        zh: "五箱堆叠第一步(凸定律)的证书相对残差随迭代次数上限的变化。投影 Gauss–Seidel 扫掠十次后残差仍很明显,数百次也未消除;带动量(APGD)或谱步长(BB)的一阶方法起初几乎不动,随后迅速下降;内点法只需十余次迭代,\
+        zh: "五箱堆叠第一步（凸定律）的证书相对残差随迭代次数上限的变化。投影 Gauss–Seidel 扫掠十次后残差仍很明显，数百次也未消除；带动量（APGD）或谱步长（BB）的一阶方法起初几乎不动，随后迅速下降；内点法只需十余次迭代，\
             但每次都要分解一个矩阵。",
     },
     obtained: Words {
         en: "`box-stack`, scheme `anitescu`, h = 10 ms; each solver started from zero with another limit, its answer judged by \
             the certificate.",
-        zh: "场景 `box-stack`、格式 `anitescu`、h = 10 ms;各求解器从零开始、逐次放宽迭代上限,答案由证书评判。",
+        zh: "场景 `box-stack`、格式 `anitescu`、h = 10 ms；各求解器从零开始、逐次放宽迭代上限，答案由证书评判。",
     },
     command: "moreau simulate --scene box-stack --scheme anitescu --step 0.01 --solver pgs",
     claims: &["S6.pgs-10", "S6.pgs-sublinear", "S5.rates", "R8"],

@@ -13,19 +13,19 @@ use moreau_forms::spring_damper;
 
 pub(super) const REGIONS: Picture = Picture {
     id: "stability-regions",
-    question: Words { en: "How large a step does a contact spring bear?", zh: "接触弹簧能承受多大的步长?" },
+    question: Words { en: "How large a step does a contact spring bear?", zh: "接触弹簧能承受多大的步长？" },
     caption: Words {
         en: "Below each line a mass on a spring and damper comes to rest, above it explodes: the bound of h ω over the damping \
             ratio. Explicit Euler bears nothing without damping. Semi-implicit Euler bears h ω = 2 there – a step of 1/π of the period \
             – and less with damping, if the damping is explicit; more, if it is implicit. Runge–Kutta of order four bears 2√2. θ ≥ ½ \
             has no bound.",
-        zh: "每条线以下,弹簧–阻尼系统趋于静止,以上则发散:hω 的稳定上界随阻尼比变化。显式 Euler 在无阻尼时完全不稳定。半隐式 Euler 在无阻尼时可达 hω = 2(即周期的 1/π);显式处理阻尼时上界随阻尼减小,\
+        zh: "每条线以下，弹簧–阻尼系统趋于静止，以上则发散：hω 的稳定上界随阻尼比变化。显式 Euler 在无阻尼时完全不稳定。半隐式 Euler 在无阻尼时可达 hω = 2（即周期的 1/π）；显式处理阻尼时上界随阻尼减小，\
             隐式处理时增大。四阶 Runge–Kutta 可达 2√2。θ ≥ ½ 没有上界。",
     },
     obtained: Words {
         en: "Marks: bisection on the spectral radius of the Jacobian of a step of each method. Lines: the closed forms of \
             `spring_damper`.",
-        zh: "标记:对各方法单步 Jacobian 的谱半径作二分;线:`spring_damper` 的闭式。",
+        zh: "标记：对各方法单步 Jacobian 的谱半径作二分；线：`spring_damper` 的闭式。",
     },
     command: "moreau verify --explain S8.damped-bound",
     claims: &["S8.damped-bound", "S8.semi-bound", "S8.explicit-bound", "S8.backward-uncond", "S8.one-over-pi"],
@@ -36,19 +36,19 @@ pub(super) const BAUMGARTE: Picture = Picture {
     id: "baumgarte-region",
     question: Words {
         en: "For which parameters does Baumgarte's correction decay?",
-        zh: "Baumgarte 稳定化的参数取何值时约束违反才会衰减?",
+        zh: "Baumgarte 稳定化的参数取何值时约束违反才会衰减？",
     },
     caption: Words {
         en: "The violation after a step depends on a = 2αh and b = βh alone. It decays inside the region a > 0, 2a + b² < 4. \
             On the dashed curve a = 2b − b² the step is critically damped, which is less damping than α = β of the differential \
             equation; below it the violation swings. a = b = 1 removes it in two steps. What is well tuned at one step is not at \
             another: a and b change with h.",
-        zh: "一步之后的约束违反只取决于 a = 2αh 与 b = βh。在区域 a > 0、2a + b² < 4 内衰减。虚线 a = 2b − b² 上离散步为临界阻尼,所需阻尼小于微分方程的 α = β;虚线以下违反量来回振荡。a \
-            = b = 1 时两步归零。步长改变时 a、b 随之改变,因此调好的参数换个步长就不再合适。",
+        zh: "一步之后的约束违反只取决于 a = 2αh 与 b = βh。在区域 a > 0、2a + b² < 4 内衰减。虚线 a = 2b − b² 上离散步为临界阻尼，所需阻尼小于微分方程的 α = β；虚线以下违反量来回振荡。a \
+            = b = 1 时两步归零。步长改变时 a、b 随之改变，因此调好的参数换个步长就不再合适。",
     },
     obtained: Words {
         en: "Marks: Schur and Cohn's conditions on the matrix of the step, `ViolationStep::decays`. Lines: the closed borders.",
-        zh: "标记:对单步矩阵应用 Schur–Cohn 判据(`ViolationStep::decays`);线:闭式边界。",
+        zh: "标记：对单步矩阵应用 Schur–Cohn 判据（`ViolationStep::decays`）；线：闭式边界。",
     },
     command: "moreau verify --explain S9.baumgarte-tuning",
     claims: &["S9.baumgarte-tuning", "S9.baumgarte-eq", "S9.bullet-erp"],

@@ -15,17 +15,17 @@ const PORTRAIT_STEP: f64 = 0.3;
 
 pub(super) const ENERGY: Picture = Picture {
     id: "energy-by-theta",
-    question: Words { en: "How much energy does θ take, or give?", zh: "θ 取不同值时,能量被耗散多少,又被注入多少?" },
+    question: Words { en: "How much energy does θ take, or give?", zh: "θ 取不同值时，能量被耗散多少，又被注入多少？" },
     caption: Words {
         en: "A mass on a spring without contact, h ω = 0.1. θ = ½ keeps the energy to rounding; every θ above ½ takes the same \
             share in each step, every θ below gives it. The share of a step is (1 + (1−θ)² s²)/(1 + θ² s²), s = hω: for θ = 1 it is \
             nearly s², so long motions run down, and finer steps only make that slower.",
-        zh: "无接触的弹簧–质量系统,hω = 0.1。θ = ½ 时能量守恒(仅有舍入误差);θ > ½ 每一步按同一比例耗散能量,θ < ½ 则按同一比例注入能量。单步能量比为 (1 + (1−θ)² s²)/(1 + θ² s²),s \
-            = hω:θ = 1 时每步约损失 s²,长时间运动必然衰减,减小步长只能使之变慢。",
+        zh: "无接触的弹簧–质量系统，hω = 0.1。θ = ½ 时能量守恒（仅有舍入误差）；θ > ½ 每一步按同一比例耗散能量，θ < ½ 则按同一比例注入能量。单步能量比为 (1 + (1−θ)² s²)/(1 + θ² s²)，s \
+            = hω：θ = 1 时每步约损失 s²，长时间运动必然衰减，减小步长只能使之变慢。",
     },
     obtained: Words {
         en: "Steps of the θ method of `moreau-dynamics`; grey is the power of the closed ratio.",
-        zh: "由 `moreau-dynamics` 的 θ 方法逐步计算;灰线为闭式单步能量比的幂。",
+        zh: "由 `moreau-dynamics` 的 θ 方法逐步计算；灰线为闭式单步能量比的幂。",
     },
     command: "moreau verify --explain S3.theta-mid",
     claims: &["S3.theta-mid", "S3.energy-half", "S3.energy-runs-down", "S8.theta-spectrum"],
@@ -34,17 +34,17 @@ pub(super) const ENERGY: Picture = Picture {
 
 pub(super) const PORTRAITS: Picture = Picture {
     id: "phase-portraits",
-    question: Words { en: "Which Euler rule keeps an orbit closed?", zh: "哪一种 Euler 格式能使相轨道保持闭合?" },
+    question: Words { en: "Which Euler rule keeps an orbit closed?", zh: "哪一种 Euler 格式能使相轨道保持闭合？" },
     caption: Words {
         en: "The plane (q, v/ω) of a spring, h ω = 0.3, 60 steps from the same point, 22 of explicit Euler; the circle is \
             exact. Explicit Euler spirals outwards, implicit Euler inwards. Semi-implicit Euler changes one line of the explicit rule \
             and stays on an ellipse q² + v²/ω² − s q v/ω: it is symplectic. θ = ½ stays on the circle and errs in phase only.",
-        zh: "弹簧振子的相平面 (q, v/ω),hω = 0.3,从同一点出发走 60 步(显式 Euler 只走 22 步);圆为精确轨道。显式 Euler 向外螺旋,隐式 Euler 向内螺旋。半隐式 Euler 只改动显式格式的一行,\
-            却始终位于椭圆 q² + v²/ω² − s q v/ω 上:它是辛格式。θ = ½ 保持在圆上,只有相位误差。",
+        zh: "弹簧振子的相平面 (q, v/ω)，hω = 0.3，从同一点出发走 60 步（显式 Euler 只走 22 步）；圆为精确轨道。显式 Euler 向外螺旋，隐式 Euler 向内螺旋。半隐式 Euler 只改动显式格式的一行，\
+            却始终位于椭圆 q² + v²/ω² − s q v/ω 上：它是辛格式。θ = ½ 保持在圆上，只有相位误差。",
     },
     obtained: Words {
         en: "Steps of the integrators of `moreau-dynamics` with ω = 1/s.",
-        zh: "由 `moreau-dynamics` 的积分器(ω = 1/s)逐步计算。",
+        zh: "由 `moreau-dynamics` 的积分器（ω = 1/s）逐步计算。",
     },
     command: "moreau verify --explain S8.semi-symplectic",
     claims: &["S8.semi-symplectic", "S8.explicit-injects", "S8.one-change", "S3.symplectic-like"],
