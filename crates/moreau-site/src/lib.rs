@@ -9,6 +9,8 @@ pub mod explorer;
 pub mod pages;
 pub mod picture;
 pub mod pictures;
+#[cfg(test)]
+mod punctuation;
 pub mod words;
 
 pub use picture::Picture;

@@ -62,7 +62,7 @@ pub const SCHEMES: [SchemeEntry; 5] = [
     SchemeEntry {
         id: "moreau-jean",
         name: Words { en: "Moreau–Jean", zh: "Moreau–Jean" },
-        law: Words { en: "Coulomb’s law, with restitution", zh: "库仑定律,含恢复系数" },
+        law: Words { en: "Coulomb’s law, with restitution", zh: "库仑定律，含恢复系数" },
         theta: &[0.5, 0.75, 1.0],
         options: &[],
     },
@@ -76,21 +76,21 @@ pub const SCHEMES: [SchemeEntry; 5] = [
     SchemeEntry {
         id: "anitescu",
         name: Words { en: "Anitescu", zh: "Anitescu" },
-        law: Words { en: "associated law, convex", zh: "关联定律,凸" },
+        law: Words { en: "associated law, convex", zh: "关联定律，凸" },
         theta: &[],
         options: &[],
     },
     SchemeEntry {
         id: "drake-sap",
-        name: Words { en: "SAP (replica of Drake’s step)", zh: "SAP(Drake 步的复刻)" },
-        law: Words { en: "associated law, compliant and regularised", zh: "关联定律,柔性并正则化" },
+        name: Words { en: "SAP (replica of Drake’s step)", zh: "SAP（Drake 步的复刻）" },
+        law: Words { en: "associated law, compliant and regularised", zh: "关联定律，柔性并正则化" },
         theta: &[],
         options: &[],
     },
     SchemeEntry {
         id: "mujoco",
-        name: Words { en: "MuJoCo (replica of its step)", zh: "MuJoCo(其步的复刻)" },
-        law: Words { en: "associated law over the elliptic cone, soft", zh: "椭圆锥上的关联定律,软接触" },
+        name: Words { en: "MuJoCo (replica of its step)", zh: "MuJoCo（其步的复刻）" },
+        law: Words { en: "associated law over the elliptic cone, soft", zh: "椭圆锥上的关联定律，软接触" },
         theta: &[],
         options: &["--cone", "elliptic"],
     },
@@ -108,10 +108,10 @@ pub const SCENES: [SceneEntry; 5] = [
     },
     SceneEntry {
         id: "incline",
-        name: Words { en: "Block on an incline", zh: "斜面上的方块" },
+        name: Words { en: "Block on an incline", zh: "斜面上的物块" },
         about: Words {
             en: "A block of 1 kg lies on a slope of 20°; tan 20° = 0.364 divides sliding from sticking.",
-            zh: "1 kg 的方块放在 20° 的斜面上;tan 20° = 0.364 是滑动与黏着的分界。",
+            zh: "1 kg 的物块放在 20° 的斜面上；tan 20° = 0.364 是滑动与粘着的分界。",
         },
         friction: &[0.1, 0.3, 0.36, 0.5],
         restitution: &[0.0],
@@ -122,7 +122,7 @@ pub const SCENES: [SceneEntry; 5] = [
         name: Words { en: "Sliding rod", zh: "滑动的杆" },
         about: Words {
             en: "A rod of 1 m and 1 kg leans at 60° and slides at 2 m/s with its lower end ahead; above μ = 4/3 it can jam (Painlevé).",
-            zh: "1 m、1 kg 的杆以 60° 倾角、2 m/s 的速度下端朝前滑动;μ 大于 4/3 时可能卡死(Painlevé)。",
+            zh: "1 m、1 kg 的杆以 60° 倾角、2 m/s 的速度下端朝前滑动；μ 大于 4/3 时可能卡死（Painlevé）。",
         },
         friction: &[0.0, 0.3, 1.5],
         restitution: &[0.0, 0.5],
@@ -133,7 +133,7 @@ pub const SCENES: [SceneEntry; 5] = [
         name: Words { en: "Stack", zh: "堆叠" },
         about: Words {
             en: "Three cubes of 1 kg stand on each other; the uppermost is thrown sideways at 1 m/s.",
-            zh: "三个 1 kg 的立方体叠放;最上面的以 1 m/s 被横向抛出。",
+            zh: "三个 1 kg 的立方体叠放；最上面的以 1 m/s 被横向抛出。",
         },
         friction: &[0.1, 0.3, 0.6],
         restitution: &[0.0],
@@ -144,7 +144,7 @@ pub const SCENES: [SceneEntry; 5] = [
         name: Words { en: "Newton’s cradle", zh: "牛顿摆" },
         about: Words {
             en: "Five equal spheres in a row, without gravity; the first hits the four at rest at 1 m/s.",
-            zh: "五个相同的球排成一列,无重力;第一个以 1 m/s 撞向静止的四个。",
+            zh: "五个相同的球排成一列，无重力；第一个以 1 m/s 撞向静止的四个。",
         },
         friction: &[0.0],
         restitution: &[0.0, 0.5, 1.0],

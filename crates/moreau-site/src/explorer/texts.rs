@@ -10,15 +10,15 @@ pub const TEXTS: [(&str, Words); 36] = [
     ("step", Words { en: "step", zh: "第" }),
     ("stepEnd", Words { en: "", zh: " 步" }),
     ("of", Words { en: "of", zh: "/" }),
-    ("start", Words { en: "the start: nothing was solved", zh: "起始:无求解" }),
+    ("start", Words { en: "the start: nothing was solved", zh: "起始：无求解" }),
     ("nothing", Words { en: "nothing to solve", zh: "无需求解" }),
     ("accepted", Words { en: "accepted", zh: "接受" }),
     ("unconverged", Words { en: "unconverged by declaration", zh: "按声明未收敛" }),
     ("rejected", Words { en: "rejected", zh: "拒绝" }),
     ("largest", Words { en: "largest residual", zh: "最大残差" }),
     ("limit", Words { en: "limit", zh: "限值" }),
-    ("refused", Words { en: "No run: the scheme or its solver says", zh: "没有结果:格式或其求解器给出" }),
-    ("missing", Words { en: "This run could not be read:", zh: "无法读取该结果:" }),
+    ("refused", Words { en: "No run: the scheme or its solver says", zh: "没有结果：格式或其求解器给出" }),
+    ("missing", Words { en: "This run could not be read:", zh: "无法读取该结果：" }),
     ("height", Words { en: "centre", zh: "质心" }),
     ("speed", Words { en: "velocity", zh: "速度" }),
     ("spin", Words { en: "angular velocity", zh: "角速度" }),
@@ -28,11 +28,11 @@ pub const TEXTS: [(&str, Words); 36] = [
     ("impulse", Words { en: "impulse r", zh: "冲量 r" }),
     ("velocity", Words { en: "velocity u at the contact", zh: "接触点速度 u" }),
     ("law", Words { en: "law velocity ŷ", zh: "定律速度 ŷ" }),
-    ("more", Words { en: "contacts active; the largest impulse", zh: "个接触起作用;其中最大冲量" }),
+    ("more", Words { en: "contacts active; the largest impulse", zh: "个接触起作用；其中最大冲量" }),
     ("open", Words { en: "no contact active", zh: "没有起作用的接触" }),
     ("ground", Words { en: "ground", zh: "地面" }),
     ("across", Words { en: "across", zh: "面外" }),
-    ("away", Words { en: "in space the bodies leave the plane of the picture, by up to", zh: "在空间中物体离开图面,至多" }),
+    ("away", Words { en: "in space the bodies leave the plane of the picture, by up to", zh: "在空间中物体离开图面，至多" }),
     ("primal", Words { en: "primal", zh: "原始" }),
     ("dual", Words { en: "dual", zh: "对偶" }),
     ("complementarity", Words { en: "complementarity", zh: "互补" }),
@@ -40,8 +40,8 @@ pub const TEXTS: [(&str, Words); 36] = [
     ("tangential", Words { en: "tangential", zh: "切向" }),
     // the residual of the stored velocity
     ("velocityResidual", Words { en: "velocity", zh: "速度" }),
-    (PLASTIC, Words { en: PLASTIC, zh: "此格式没有恢复系数:每次碰撞都是塑性的,以 e = 0 代替场景的 e" }),
-    (SOFT, Words { en: SOFT, zh: "软接触没有恢复系数:物体弹起多高由 solref 与 solimp 决定,而非场景的 e" }),
+    (PLASTIC, Words { en: PLASTIC, zh: "此格式没有恢复系数：每次碰撞都是塑性的，以 e = 0 代替场景的 e" }),
+    (SOFT, Words { en: SOFT, zh: "软接触没有恢复系数：物体弹起多高由 solref 与 solimp 决定，而非场景的 e" }),
 ];
 
 /// Where a parameter acts, beside its control.
@@ -56,12 +56,12 @@ pub(super) const INTRODUCTION: Words = Words {
     en: "The same scene through four schemes: Coulomb’s law, Anitescu’s convex step, SAP and MuJoCo’s law. The last two are \
          our replicas of the engines’ steps. Every run was computed when this report was built, by the library of the command; \
          the command under each panel makes its numbers again.",
-    zh: "同一场景由四种格式计算:库仑定律、Anitescu 的凸步、SAP 与 MuJoCo 的定律;后两者是我们对引擎步的复刻。所有结果在生成本报告时由命令的程序库算出;\
+    zh: "同一场景由四种格式计算：库仑定律、Anitescu 的凸步、SAP 与 MuJoCo 的定律；后两者是我们对引擎步的复刻。所有结果在生成本报告时由命令的程序库算出；\
          每个面板下方的命令可重新得到其数值。",
 };
 pub(super) const NO_SCRIPT: Words = Words {
     en: "The runs are drawn by a script, which this browser does not run. The command `moreau simulate` makes the same numbers.",
-    zh: "结果由脚本绘制,而此浏览器不运行脚本。命令 moreau simulate 给出相同的数值。",
+    zh: "结果由脚本绘制，而此浏览器不运行脚本。命令 moreau simulate 给出相同的数值。",
 };
 pub(super) const CHOICE: Words = Words { en: "Scene, scheme and parameters", zh: "场景、格式与参数" };
 pub(super) const SCENE: Words = Words { en: "scene", zh: "场景" };
@@ -78,7 +78,7 @@ pub(super) const SPEED: Words = Words { en: "speed", zh: "速度" };
 pub(super) const MOTION: Words = Words { en: "The motion, seen from the side", zh: "运动的侧视图" };
 pub(super) const CONE: Words = Words {
     en: "The friction cone with the impulse, and its dual with the law velocity",
-    zh: "摩擦锥与冲量,以及对偶锥与定律速度",
+    zh: "摩擦锥与冲量，以及对偶锥与定律速度",
 };
 pub(super) const GAP: Words = Words { en: "Smallest gap over time", zh: "最小间隙随时间的变化" };
 pub(super) const ENERGY: Words = Words { en: "Energy over time", zh: "能量随时间的变化" };
@@ -92,31 +92,31 @@ pub(super) const NOTES: [Words; 5] = [
              [N·s]; the wide wedge is its dual K*, y_n ≥ μ|y_t|, with ŷ as a dashed arrow [m/s]. A step is solved where r lies \
              in K, ŷ in K*, and both are at right angles or one of them is zero. Lengths grow as the square root; directions \
              are true.",
-        zh: "锥:填充的楔形是 K,|r_t| ≤ μ r_n,每个起作用接触的冲量 r 画成实线箭头 [N·s];宽楔形是对偶锥 K*,y_n ≥ μ|y_t|,ŷ 画成虚线箭头 [m/s]。\
-             r 在 K 中、ŷ 在 K* 中且两者垂直(或其一为零)时,该步得解。长度按平方根增长,方向真实。",
+        zh: "锥：填充的楔形是 K，|r_t| ≤ μ r_n，每个起作用接触的冲量 r 画成实线箭头 [N·s]；宽楔形是对偶锥 K*，y_n ≥ μ|y_t|，ŷ 画成虚线箭头 [m/s]。\
+             r 在 K 中、ŷ 在 K* 中且两者垂直（或其一为零）时，该步得解。长度按平方根增长，方向真实。",
     },
     Words {
         en: "ŷ is y + μ‖y_t‖n for Coulomb’s law, with the restitution in y, and for an associated law the velocity that the \
              scheme relates to r, with its shift and its compliance. Anitescu, SAP and MuJoCo lift a sliding contact for that \
              reason.",
-        zh: "库仑定律的 ŷ 是 y + μ‖y_t‖n(y 含恢复系数);关联定律的 ŷ 是格式与 r 相联系的速度,含其移位与柔度。Anitescu、SAP 与 MuJoCo 因此会把滑动的接触抬起。",
+        zh: "库仑定律的 ŷ 是 y + μ‖y_t‖n（y 含恢复系数）；关联定律的 ŷ 是格式与 r 相联系的速度，含其移位与柔度。Anitescu、SAP 与 MuJoCo 因此会把滑动的接触抬起。",
     },
     Words {
         en: "The natural map is ‖r − P_K(r − ρŷ)‖ over all contacts [N·s]; a zero stands on the lowest line. It is shown for \
              comparison: the certificate judges each residual against its scale. A triangle above the graph marks a rejected \
              step, a diamond one that is unconverged by declaration.",
-        zh: "自然映射是所有接触上的 ‖r − P_K(r − ρŷ)‖ [N·s];零画在最低线上。它只供比较:证书按各残差的尺度判定。图上方的三角形标出被拒绝的步,菱形标出按声明未收敛的步。",
+        zh: "自然映射是所有接触上的 ‖r − P_K(r − ρŷ)‖ [N·s]；零画在最低线上。它只供比较：证书按各残差的尺度判定。图上方的三角形标出被拒绝的步，菱形标出按声明未收敛的步。",
     },
     Words {
         en: "Positions, velocities, impulses and energies have six digits after the point, residuals two significant digits: \
              these are the command’s numbers. Every step is stored. MuJoCo’s replica moves bodies in space, the others in the \
              plane; a box has four lower corners there and two here.",
-        zh: "位置、速度、冲量与能量保留小数点后六位,残差保留两位有效数字:与命令的数值相同。每一步都已存储。MuJoCo 的复刻在空间中运动,其余在平面内;\
-             方块在前者有四个下角,在后者有两个。",
+        zh: "位置、速度、冲量与能量保留小数点后六位，残差保留两位有效数字：与命令的数值相同。每一步都已存储。MuJoCo 的复刻在空间中运动，其余在平面内；\
+             物块在前者有四个下角，在后者有两个。",
     },
     Words {
         en: "Keys: Tab goes from control to control; on the time slider the arrow keys go one step. The address of the page \
              keeps the choice.",
-        zh: "按键:Tab 在控件间移动;在时间滑块上方向键前进或后退一步。页面地址保存所做的选择。",
+        zh: "按键：Tab 在控件间移动；在时间滑块上方向键前进或后退一步。页面地址保存所做的选择。",
     },
 ];

@@ -10,7 +10,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use serde_json::{Map, Value, json};
 
 /// The title of the page.
-pub const TITLE: Words = Words { en: "Explorer: scenes, schemes and parameters", zh: "探索器:场景、格式与参数" };
+pub const TITLE: Words = Words { en: "Explorer: scenes, schemes and parameters", zh: "探索页：场景、格式与参数" };
 
 /// The files beside the runs; all of the style is about what stands in `.explorer`.
 pub const FILES: [(&str, &str); 4] = [

@@ -1,8 +1,8 @@
 //! One claim in full: statement, verdict, deciding finding, argument, correction, controls, place, sources.
 
 use super::axes::{Axis, Verdict};
-use super::data::{ClaimEntry, ControlEntry, Erratum, FindingEntry, PlaceEntry, Voice};
 use super::correction::{beyond, label};
+use super::data::{ClaimEntry, ControlEntry, Erratum, FindingEntry, PlaceEntry, Voice};
 use super::prose::prose;
 use super::related::see_also;
 use super::view::View;

@@ -52,7 +52,8 @@ const ROWS: [Row; 10] = [
         file: "claims.html",
         what: Words { en: "exact decisions", zh: "精确判定" },
         how: Words {
-            en: "witnesses in fractions, which a second program in Python checks", zh: "分数形式的见证，由另一个 Python 程序复核"
+            en: "witnesses in fractions, which a second program in Python checks",
+            zh: "分数形式的见证，由另一个 Python 程序复核",
         },
         command: "moreau verify --export witnesses.json && python3 scripts/check_witnesses.py witnesses.json",
     },
@@ -119,7 +120,8 @@ const ROWS: [Row; 10] = [
         file: "index.html",
         what: Words { en: "this report", zh: "本报告" },
         how: Words {
-            en: "written whole, with report.json beside the pages for programs", zh: "一次完整写出，并附供程序使用的 report.json"
+            en: "written whole, with report.json beside the pages for programs",
+            zh: "一次完整写出，并附供程序使用的 report.json",
         },
         command: "moreau report --out FOLDER",
     },

@@ -1,6 +1,8 @@
 //! The written pages: every link leads somewhere, what comes from claims, engines and files is escaped, and no fixed text is in the other
 //! language.
 
+mod reading;
+
 use super::axes::{Evidence, Kind, Role, Severity, Verdict};
 use super::data::*;
 use super::{File, without_runs};

@@ -63,7 +63,8 @@ pub(super) const ROLLING: Picture = Picture {
 pub(super) const BAR: Picture = Picture {
     id: "elastic-bar-force",
     question: Words {
-        en: "Is the contact force of an elastic body as smooth as its mesh says?", zh: "弹性体的接触力，网格算出来的可信吗？"
+        en: "Is the contact force of an elastic body as smooth as its mesh says?",
+        zh: "弹性体的接触力，网格算出来的可信吗？",
     },
     caption: Words {
         en: "A bar of 20 elements hits a wall. The exact force is constant, ρ c A V, until the wave returns: a finite force \

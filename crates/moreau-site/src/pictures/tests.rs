@@ -50,7 +50,7 @@ fn there_are_at_least_twenty_and_each_has_an_id_of_its_own() {
 fn every_picture_asks_a_question_and_says_how_it_was_answered_in_both_languages() {
     for picture in PICTURES {
         let id = picture.id;
-        assert!(picture.question.en.ends_with('?') && picture.question.zh.ends_with('?'), "{id}");
+        assert!(picture.question.en.ends_with('?') && picture.question.zh.ends_with('？'), "{id}");
         for text in [picture.caption, picture.obtained] {
             assert!(
                 text.en.ends_with('.') && text.zh.ends_with('。') && !text.en.contains("  ") && !text.zh.contains("  "),

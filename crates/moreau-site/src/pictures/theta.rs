@@ -15,7 +15,9 @@ const PORTRAIT_STEP: f64 = 0.3;
 
 pub(super) const ENERGY: Picture = Picture {
     id: "energy-by-theta",
-    question: Words { en: "How much energy does θ take, or give?", zh: "θ 取不同值时，能量被耗散多少，又被注入多少？" },
+    question: Words {
+        en: "How much energy does θ take, or give?", zh: "θ 取不同值时，能量被耗散多少，又被注入多少？"
+    },
     caption: Words {
         en: "A mass on a spring without contact, h ω = 0.1. θ = ½ keeps the energy to rounding; every θ above ½ takes the same \
             share in each step, every θ below gives it. The share of a step is (1 + (1−θ)² s²)/(1 + θ² s²), s = hω: for θ = 1 it is \
