@@ -30,7 +30,7 @@ fn stays_english(view: &View) -> Option<&'static str> {
     let words = match view.file {
         "claims.html" => "不成立、自相矛盾或须附加条件的论断有中文陈述，排在英文之前；标题、其余陈述与更正为英文。",
         "errata.html" => "陈述、问题所在与更正为中文；标题为英文。",
-        "systems.html" => "系统名称、被比较的物理量及其对照的说明为英文。",
+        "systems.html" => "系统名称与被比较的物理量为英文。",
         "scoreboard.html" => "引擎的名称、检查名与未运行的原因为英文。",
         "problems.html" => "问题与定律的说明为英文。",
         "defects.html" => "各个错误的说明与检查名为英文。",

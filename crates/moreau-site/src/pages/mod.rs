@@ -20,6 +20,7 @@ mod section;
 mod severity;
 mod summary;
 mod systems;
+mod systems_words;
 #[cfg(test)]
 mod tests;
 mod view;

@@ -2,8 +2,10 @@
 
 use super::frame::document;
 use super::front;
+use super::prose::with_code;
+use super::systems_words;
 use super::view::View;
-use crate::Words;
+use crate::{Language, Words};
 use maud::{Markup, html};
 use moreau_exact::number::{significant, two_digits, with_unit};
 use moreau_replicas::systems::{AgreementReport, Cone, ConstraintLevel, ContactLaw, SystemReport};
@@ -67,9 +69,9 @@ fn axes(view: &View, systems: &[SystemReport]) -> Markup {
                         td { (view.say(level(system.level))) }
                         td { (view.say(cone(system.cone))) }
                         td { (view.say(law(system.law))) }
-                        td { (view.english(&system.algorithm)) }
-                        td { (view.english(&system.restitution)) }
-                        td { (view.english(&system.position_update)) }
+                        td { (said(view, &system.algorithm)) }
+                        td { (said(view, &system.restitution)) }
+                        td { (said(view, &system.position_update)) }
                     }
                 }
             }
@@ -115,12 +117,20 @@ fn row(view: &View, agreement: &AgreementReport) -> Markup {
     let difference = agreement.difference.map_or(view.say(NO_NUMBER).into(), |found| with_unit(&significant(found), &agreement.unit));
     html! {
         tr {
-            td { (view.english(&agreement.against)) }
+            td { (said(view, &agreement.against)) }
             td { (view.english(&agreement.quantity)) }
             td.n { (difference) }
             td.n { (with_unit(&significant(agreement.tolerance), &agreement.unit)) }
             td.n { (agreement.used.map(two_digits).unwrap_or_default()) }
             td { @if agreement.holds { "✓ " (view.say(WITHIN)) } @else { b.alarm { "✗ " (view.say(OUTSIDE)) } } }
         }
+    }
+}
+
+/// A text of a system, on a Chinese page in Chinese where it has one.
+fn said(view: &View, text: &str) -> Markup {
+    match (systems_words::chinese(text), view.language) {
+        (Some(chinese), Language::Chinese) => with_code(chinese),
+        _ => view.english(text),
     }
 }
