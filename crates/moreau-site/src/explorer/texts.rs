@@ -1,6 +1,6 @@
 //! The texts of the page.
 
-use crate::Words;
+use crate::words::Words;
 use moreau_replicas::staging::{COMPLIANT, PLASTIC, SOFT};
 
 /// What the program puts in, by the name that it knows it by.
