@@ -56,6 +56,7 @@ def look(browser: Browser, folder: pathlib.Path, axe: str, room: pathlib.Path) -
         ("a target too small", inserted("index.html", "<button style='min-height:30px;height:30px'>a</button>"), lambda copy: checks.shapes(browser, copy, front(copy))),
         ("a picture without words", inserted("index.html", '<img src="data:image/gif;base64,R0lGODlhAQABAAAAACw=">'), lambda copy: checks.accessible(browser, copy, front(copy), axe)),
         ("pale letters in the dark", inserted("index.html", "<style>@media(prefers-color-scheme:dark){p{color:#333}}</style>"), lambda copy: checks.accessible(browser, copy, front(copy), axe)),
+        ("a certificate that cannot be read", inserted("explorer.html", "<style>.explorer .pass{background:#0b6b3a!important;color:#0b6b3a!important}</style>"), lambda copy: checks.accessible(browser, copy, [copy / "explorer.html"], axe)),
         ("a filter that keys do not reach", changed("claims.html", '<select name="kind"', '<select tabindex="-1" name="kind"'), lambda copy: checks.keyboard(browser, copy, lists(copy))),
         ("a focus that is not seen", changed("style.css", "outline:3px solid", "outline:0 none"), lambda copy: checks.keyboard(browser, copy, lists(copy))),
         ("a summary of three pages", inserted("summary.html", "<p>more</p>" * 200), lambda copy: checks.printed(browser, copy, [copy / "summary.html"])),

@@ -10,6 +10,10 @@ pub const PLASTIC: &str = "this scheme has no restitution: every impact is plast
 /// What it says of MuJoCo's.
 pub const SOFT: &str = "soft contact has no restitution: how far a body bounces follows from solref and solimp, not from the scene's e";
 
+/// What it says of Drake's.
+pub const COMPLIANT: &str =
+    "compliant contact has no restitution: how far a body bounces follows from stiffness, dissipation and h, not from the scene's e";
+
 /// The scene's mechanism. How soft a body rests depends on the number of its contact points, which is that of the body in space.
 ///
 /// # Errors
@@ -31,6 +35,10 @@ pub fn plastic_if_needed(mut scene: Scene, scheme: &dyn Scheme, name: &str, rest
         scene.material.restitution = restitution;
         scene.material.pairs.iter_mut().for_each(|pair| pair.restitution = None);
     }
-    let note = if name == "mujoco" { SOFT } else { PLASTIC };
+    let note = match name {
+        "mujoco" => SOFT,
+        name if name.starts_with("drake-") => COMPLIANT,
+        _ => PLASTIC,
+    };
     (scene, plastic.then_some(note))
 }

@@ -21,11 +21,12 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: r"For the uniform rod this happens for $\mu > \mu_P = W_{nn}/|W_{nt}| = (4 + \tan^2)$/(3 tan) $\ge 4/3$ when it
-            slides towards the side it leans to.",
+        correct_statement: r"For the uniform rod at an angle with the tangent $t$ this happens for
+            $\mu > \mu_P = W_{nn}/|W_{nt}| = (4 + t^2)/(3t) \ge 4/3$ when it slides with its lower end ahead, away from the side it
+            leans to.",
         argument: r"Sliding force $\lambda$ with friction $\mu\lambda$: $0 \le \lambda \perp A\lambda + b \ge 0$,
             $A = W_{nn} - \mu|W_{nt}|$. At cos $= 3/5$: $\mu_P = 13/9$. With $\mu = 2$: $A = -4/5$; $b = -1$ has no solution, $b = 1$ has
-            two (0 and 5/4). $(4 + t^2)/(3t) - 4/3 = (t - 2)^2/(3t) \ge 0$, so $\mu_P$ is least at tan $= 2$.",
+            two (0 and 5/4). $(4 + t^2)/(3t) - 4/3 = (t - 2)^2/(3t) \ge 0$, so $\mu_P$ is least at $t = 2$.",
         controls: &[r"$\mu = 1 < \mu_P$: exactly one solution for either sign of $b$.", r"A rod that leans the other way, cos $= 4/5$."],
         sources: &["chapter §4, resolution of Painlevé's paradox", "Painlevé 1895; Génot and Brogliato 1999"],
         check: check!(paradox),

@@ -5,8 +5,8 @@
 //!     lower end (x − l c, y − l s),   φ = y − l s,   H = [ 0 1 −l c ;  1 0 l s ]
 //!     W_nn = (1 + 3c²)/m,   W_nt = −3 s c/m,   W_tt = (1 + 3s²)/m
 //! ```
-//! Sliding towards the side the rod leans to, W_nn + μ W_nt turns negative for μ > (1 + 3c²)/(3 s c): no forward
-//! sliding force exists, or two do – the paradox that impulses resolve.
+//! Sliding with its lower end ahead, away from the side the rod leans to, W_nn + μ W_nt turns negative for μ > (1 + 3c²)/(3 s c): no
+//! forward sliding force exists, or two do – the paradox that impulses resolve.
 
 use super::point_mass::{material, positive};
 use super::{BodyState, Mechanism};

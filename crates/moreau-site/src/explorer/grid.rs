@@ -1,6 +1,6 @@
 //! What the page offers: the scenes with the values of μ and e that act in each, the schemes, and the time steps.
 
-use crate::Words;
+use crate::words::Words;
 use moreau_dynamics::scenes::{Body, Scene, named};
 use moreau_dynamics::schemes::Scheme;
 use moreau_exact::{Error, Result};

@@ -1,10 +1,10 @@
 //! The texts of the page.
 
-use crate::Words;
-use moreau_replicas::staging::{PLASTIC, SOFT};
+use crate::words::Words;
+use moreau_replicas::staging::{COMPLIANT, PLASTIC, SOFT};
 
 /// What the program puts in, by the name that it knows it by.
-pub const TEXTS: [(&str, Words); 36] = [
+pub const TEXTS: [(&str, Words); 37] = [
     ("play", Words { en: "Play", zh: "播放" }),
     ("pause", Words { en: "Pause", zh: "暂停" }),
     ("step", Words { en: "step", zh: "第" }),
@@ -41,6 +41,12 @@ pub const TEXTS: [(&str, Words); 36] = [
     // the residual of the stored velocity
     ("velocityResidual", Words { en: "velocity", zh: "速度" }),
     (PLASTIC, Words { en: PLASTIC, zh: "此格式没有恢复系数：每次碰撞都是塑性的，以 e = 0 代替场景的 e" }),
+    (
+        COMPLIANT,
+        Words {
+            en: COMPLIANT, zh: "柔性接触没有恢复系数：物体弹起多高由刚度、耗散与 h 决定，而非场景的 e"
+        },
+    ),
     (SOFT, Words { en: SOFT, zh: "软接触没有恢复系数：物体弹起多高由 solref 与 solimp 决定，而非场景的 e" }),
 ];
 

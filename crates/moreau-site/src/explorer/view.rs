@@ -5,7 +5,7 @@ use super::texts::{
     ACTS, BACK, CHOICE, CONE, ENERGY, FRICTION, GAP, HOW, INTRODUCTION, MOTION, NATURAL, NO_SCRIPT, NOTES, ON, PLAY, RESTITUTION, SCENE,
     SCENE_FILE, SCHEME, SPEED, STEP, TEXTS, THETA, TIME,
 };
-use crate::{Language, Words};
+use crate::words::{Language, Words};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use serde_json::{Map, Value, json};
 
