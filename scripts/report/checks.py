@@ -12,7 +12,7 @@ PRINTED_PAGES = 2
 TAP = 44
 # What stands in a line of text may be lower.
 TAPPED = ".top a, button, select, input, summary, .cards a, .list a, .links a, .bars a, .neighbours a, .claims > li > a"
-WORDS = ("zeno", "copositive", "drake energy", "no-such-word")
+WORDS = ("zeno", "copositive", "drake energy", "no-such-word", "共正", "摩擦锥")
 
 
 def errors(browser: Browser, folder: pathlib.Path, pages: Iterable[pathlib.Path]) -> list[str]:
@@ -103,13 +103,13 @@ def filters(browser: Browser, folder: pathlib.Path, lists: Iterable[pathlib.Path
                 page.wait_for_timeout(20)
             for words in WORDS:
                 page.fill("input[name=q]", words)
-                expect(f"search {words}", page, lambda claim: all(word in site.words_of(claim) for word in words.split()))
+                expect(f"search {words}", page, lambda claim: all(word in site.words_of(claim, path) for word in words.split()))
             page.fill("input[name=q]", "zeno")
             page.select_option("select[name=verdict]", "false")
             address = page.url
         with browser.page() as page:
             page.goto(address)
-            expect(f"the address {address.split('#')[-1]}", page, lambda claim: "zeno" in site.words_of(claim) and site.axis(claim, "verdict") == "false")
+            expect(f"the address {address.split('#')[-1]}", page, lambda claim: "zeno" in site.words_of(claim, path) and site.axis(claim, "verdict") == "false")
         with browser.page() as page:
             page.route("**/*.js", lambda route: route.abort())
             page.goto(path.as_uri())

@@ -1,12 +1,15 @@
 """A written report as a folder: its pages, what links where, and what report.json counts."""
 
+import functools
 import html.parser
 import json
 import pathlib
 import re
+import tomllib
 import unicodedata
 import urllib.parse
 
+ERRATA = pathlib.Path(__file__).resolve().parents[2] / "src" / "claims" / "errata.zh.toml"
 MOST_BYTES = 15_000_000
 KEYS = {"TRUE": "true", "TRUE WITH CONDITIONS": "conditional", "FALSE AS STATED": "false", "INTERNALLY INCONSISTENT": "inconsistent", "AMBIGUOUS": "ambiguous"}
 AXES = ("section", "verdict", "severity", "kind", "evidence")
@@ -65,9 +68,19 @@ def plain(text: str) -> str:
     return unicodedata.normalize("NFKC", text).lower()
 
 
-def words_of(claim: dict) -> str:
-    """What the search looks at."""
-    return plain(" ".join(claim[name] for name in ("id", "title", "statement", "correct_statement")))
+@functools.cache
+def errata() -> dict:
+    """The errata in Chinese."""
+    return tomllib.loads(ERRATA.read_text())
+
+
+def words_of(claim: dict, page: pathlib.Path) -> str:
+    """What the search of a page looks at; on a Chinese page also the erratum, the headings and the chapter's words."""
+    words = [claim[name] for name in ("id", "title", "statement", "correct_statement")]
+    if page.parent.name == "zh":
+        words += errata().get(claim["id"], {}).values()
+        words += [place[name] for place in claim["places"] for name in ("heading", "words")]
+    return plain(" ".join(words))
 
 
 def too_large(folder: pathlib.Path) -> list[str]:

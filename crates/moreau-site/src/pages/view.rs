@@ -133,19 +133,22 @@ pub fn section_file(group: &str) -> String {
     format!("section-{group}.html")
 }
 
-/// How many characters a title has at most.
-const LONGEST: usize = 34;
+/// After how many characters outside of formulas a title is cut.
+const LONGEST: usize = 30;
 
-/// A sentence up to its first full stop or semicolon, or cut after [`LONGEST`] characters, but in no formula.
+/// A sentence up to its first full stop or semicolon, or cut after [`LONGEST`] characters, but in no formula and in no word of letters.
 fn beginning(sentence: &str) -> String {
-    let mut in_formula = false;
-    for (count, (at, letter)) in sentence.char_indices().enumerate() {
-        let ends = ['。', '；'].contains(&letter);
-        if !in_formula && (ends || count >= LONGEST) {
+    let (mut in_formula, mut count, mut before) = (false, 0, ' ');
+    for (at, letter) in sentence.char_indices() {
+        let in_word = before.is_ascii_alphanumeric() && (letter.is_ascii_alphanumeric() || letter == '-');
+        if !in_formula && (['。', '；'].contains(&letter) || count >= LONGEST && !in_word) {
             let rest = sentence[at..].trim_start_matches(['。', '；']);
-            return if rest.is_empty() { sentence[..at].into() } else { format!("{}…", &sentence[..at]) };
+            let end = if rest.is_empty() { "" } else { "…" };
+            return format!("{}{end}", sentence[..at].trim_end_matches(['，', '：', '、', '（', ' ']));
         }
         in_formula ^= letter == '$';
+        count += usize::from(!in_formula);
+        before = letter;
     }
     sentence.into()
 }
@@ -165,6 +168,8 @@ mod tests {
         assert_eq!(beginning("短句；后半句。"), "短句…");
         let formula = format!("${}；$", "x".repeat(LONGEST));
         assert_eq!(beginning(&format!("{formula}之后很长")), format!("{formula}…"));
-        assert_eq!(beginning(&"长".repeat(LONGEST + 1)), format!("{}…", "长".repeat(LONGEST)));
+        let cut = "长".repeat(LONGEST);
+        assert_eq!(beginning(&format!("{cut}长")), format!("{cut}…"));
+        assert_eq!(beginning(&format!("{}copositive 矩阵", &cut[3..])), format!("{}copositive…", &cut[3..]));
     }
 }
