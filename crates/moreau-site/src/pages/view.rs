@@ -167,7 +167,7 @@ mod tests {
         assert_eq!(beginning("短句。"), "短句");
         assert_eq!(beginning("短句；后半句。"), "短句…");
         let formula = format!("${}；$", "x".repeat(LONGEST));
-        assert_eq!(beginning(&format!("{formula}之后很长")), format!("{formula}…"));
+        assert_eq!(beginning(&format!("{formula}之后；长")), format!("{formula}之后…"));
         let cut = "长".repeat(LONGEST);
         assert_eq!(beginning(&format!("{cut}长")), format!("{cut}…"));
         assert_eq!(beginning(&format!("{}copositive 矩阵", &cut[3..])), format!("{}copositive…", &cut[3..]));
