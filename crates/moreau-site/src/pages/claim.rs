@@ -82,7 +82,9 @@ pub fn article(view: &View, claim: &ClaimEntry) -> Markup {
             (in_chinese(view, claim, |erratum| &erratum.wrong))
             p { (view.english(&claim.argument)) }
             h3 { (view.say(label(claim))) }
-            div.correct { (in_chinese(view, claim, |erratum| &erratum.reads)) @if !correct.is_empty() { p { (view.english(correct)) } } }
+            @if !correct.is_empty() {
+                div.correct { (in_chinese(view, claim, |erratum| &erratum.reads)) p { (view.english(correct)) } }
+            }
             (see_also(view, claim))
             (evidence(view, claim))
             p { (view.say(AGAIN)) (view.colon()) code { "moreau verify --explain " (claim.id) } }
@@ -101,8 +103,8 @@ fn in_chinese(view: &View, claim: &ClaimEntry, part: fn(&Erratum) -> &String) ->
 pub fn repetitions(view: &View, claim: &ClaimEntry) -> Markup {
     let repeated: Vec<&str> = view.report.repetitions(&claim.id).map(|other| other.id.as_str()).collect();
     html! {
-        @if let Some(original) = &claim.repeats { p { (view.say(REPEATS)) (view.to_claim(original)) } }
-        @if !repeated.is_empty() { p { (view.say(REPEATED)) (view.to_claims(repeated.into_iter())) } }
+        @if let Some(original) = &claim.repeats { p { (view.say(REPEATS)) (view.claim_link(original)) } }
+        @if !repeated.is_empty() { p { (view.say(REPEATED)) (view.claim_links(repeated.into_iter())) } }
     }
 }
 

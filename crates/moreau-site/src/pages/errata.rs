@@ -63,9 +63,9 @@ fn erratum(view: &View, claim: &ClaimEntry) -> Markup {
             (printed(view, claim))
             (corrected(view, claim))
             @if !again.is_empty() {
-                p { (view.say(AGAIN)) (view.colon()) (view.to_claims(again.iter().map(|claim| claim.id.as_str()))) }
+                p { (view.say(AGAIN)) (view.colon()) (view.claim_links(again.iter().map(|claim| claim.id.as_str()))) }
             }
-            p { (view.say(PROVED)) (view.to_claim(&claim.id)) }
+            p { (view.say(PROVED)) (view.claim_link(&claim.id)) }
         }
     }
 }

@@ -86,7 +86,7 @@ fn alarm(view: &View) -> Markup {
         @if contradicted.is_empty() {
             p.fine { (view.say(NONE)) }
         } @else {
-            p.alarm role="alert" { (view.tell(SOME, &[&contradicted.len()])) (view.to_claims(contradicted.into_iter())) }
+            p.alarm role="alert" { (view.tell(SOME, &[&contradicted.len()])) (view.claim_links(contradicted.into_iter())) }
         }
     }
 }

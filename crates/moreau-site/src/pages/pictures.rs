@@ -56,7 +56,7 @@ fn figure(view: &View, picture: &Picture) -> Markup {
                 p { (prose(view.say(picture.caption))) }
                 p { (view.say(OBTAINED)) (prose(view.say(picture.obtained))) }
                 p { (view.say(AGAIN)) code { (picture.command) } }
-                @if !picture.claims.is_empty() { p { (view.say(CLAIMS)) (view.to_claims(picture.claims.iter().copied())) } }
+                @if !picture.claims.is_empty() { p { (view.say(CLAIMS)) (view.claim_links(picture.claims.iter().copied())) } }
             }
         }
     }

@@ -10,7 +10,7 @@ const SEE: Words = Words { en: "See also: ", zh: "另见：" };
 /// Links to the claims whose ids stand in the texts of this one, and to those that name it.
 pub fn see_also(view: &View, claim: &ClaimEntry) -> Markup {
     let others: Vec<&str> = related(&view.report.claims, claim);
-    html! { @if !others.is_empty() { p { (view.say(SEE)) (view.to_claims(others.into_iter())) } } }
+    html! { @if !others.is_empty() { p { (view.say(SEE)) (view.claim_links(others.into_iter())) } } }
 }
 
 /// Those named by a claim and those that name it, in the order of the chapter.

@@ -60,7 +60,7 @@ pub fn page(view: &View) -> String {
 
 /// Ids and titles.
 fn titles(view: &View, claims: &[&ClaimEntry]) -> Markup {
-    html! { ul.titles { @for claim in claims { li { (view.to_claim(&claim.id)) " " (view.title(claim)) } } } }
+    html! { ul.titles { @for claim in claims { li { (view.claim_link(&claim.id)) " " (view.title(claim)) } } } }
 }
 
 /// How many claims are false or inconsistent and say what another one says.

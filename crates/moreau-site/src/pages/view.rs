@@ -99,7 +99,7 @@ impl View<'_> {
     }
 
     /// A link to a claim.
-    pub fn to_claim(&self, id: &str) -> Markup {
+    pub fn claim_link(&self, id: &str) -> Markup {
         match self.report.claim(id) {
             Some(claim) => html! { a.id href={ (section_file(&claim.group)) "#" (id) } { (id) } },
             None => html! { code { (id) } },
@@ -107,8 +107,8 @@ impl View<'_> {
     }
 
     /// Links to claims.
-    pub fn to_claims<'i>(&self, ids: impl Iterator<Item = &'i str>) -> Markup {
-        html! { @for (k, id) in ids.enumerate() { @if k > 0 { (self.comma()) } (self.to_claim(id)) } }
+    pub fn claim_links<'i>(&self, ids: impl Iterator<Item = &'i str>) -> Markup {
+        html! { @for (k, id) in ids.enumerate() { @if k > 0 { (self.comma()) } (self.claim_link(id)) } }
     }
 
     /// A table in a box that scrolls by itself, so that the page stays as wide as the screen.
