@@ -12,7 +12,7 @@ PRINTED_PAGES = 2
 TAP = 44
 # What stands in a line of text may be lower.
 TAPPED = ".top a, button, select, input, summary, .cards a, .list a, .links a, .bars a, .neighbours a, .claims > li > a"
-WORDS = ("zeno", "copositive", "drake energy", "no-such-word", "共正", "摩擦锥")
+WORDS = ("zeno", "copositive", "stewart-trinkle", "painleve", "drake energy", "no-such-word", "共正", "摩擦锥")
 
 
 def errors(browser: Browser, folder: pathlib.Path, pages: Iterable[pathlib.Path]) -> list[str]:

@@ -63,9 +63,14 @@ def axis(claim: dict, name: str) -> str:
     return KEYS[value] if name == "verdict" else value
 
 
+# Dashes and quotes as a keyboard has them.
+TYPED = {**dict.fromkeys([*range(0x2010, 0x2016), 0x2212], "-"), ord("‘"): "'", ord("’"): "'", ord("“"): '"', ord("”"): '"'}
+
+
 def plain(text: str) -> str:
     """A text as the search compares it."""
-    return unicodedata.normalize("NFKC", text).lower()
+    letters = (letter for letter in unicodedata.normalize("NFKD", text) if not unicodedata.category(letter).startswith("M"))
+    return "".join(letters).translate(TYPED).lower()
 
 
 @functools.cache

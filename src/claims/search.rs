@@ -1,14 +1,16 @@
 //! Claims by the words that they have.
 
 use super::{Claim, title};
+use crate::checks::text::folded;
 
-/// Whether a claim has all of these words, in any case: in its id, its title, its statement, its correction or its sources.
+/// Whether a claim has all of these words, as a keyboard types them: in its id, its title, its statement, its correction or its
+/// sources.
 pub fn has_words(claim: &Claim, words: &str) -> bool {
     let places = claim.sources.iter().copied();
     let (statement, correct) = (claim.statement(), claim.correct_statement());
     let text: Vec<&str> = [claim.id, title(claim.id), &statement, &correct].into_iter().chain(places).collect();
-    let text = text.join(" ").to_lowercase();
-    words.to_lowercase().split_whitespace().all(|word| text.contains(word))
+    let text = folded(&text.join(" "));
+    folded(words).split_whitespace().all(|word| text.contains(word))
 }
 
 #[cfg(test)]
@@ -23,6 +25,7 @@ mod tests {
     #[test]
     fn words_are_looked_for_in_titles_and_sources_in_any_case_and_all_of_them_are_asked() {
         assert!(found("zeno").contains(&"S0.tinf") && found("ZENO").contains(&"S0.tinf"));
+        assert!(found("stewart-trinkle").contains(&"S4.copos-plus") && found("Painleve") == found("Painlevé"));
         assert!(found("exercise stone").is_empty() && found("cottle pang").contains(&"S4.cps-thm"));
     }
 }

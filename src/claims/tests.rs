@@ -14,12 +14,28 @@ fn texts() -> Vec<(&'static str, &'static str)> {
     all().flat_map(of).collect()
 }
 
-/// Whether the tags of a page are balanced.
+/// Elements with the number of parts that they must have.
+const PARTS: [(&str, usize); 8] =
+    [("msup", 2), ("msub", 2), ("msubsup", 3), ("munder", 2), ("mover", 2), ("munderover", 3), ("mfrac", 2), ("mroot", 2)];
+
+/// Whether the tags of a page are balanced, and every script has its base and as many parts as its name says.
 fn is_well_formed(page: &str) -> bool {
     let mut reader = Reader::from_str(page);
+    let mut open: Vec<usize> = vec![0];
     loop {
         match reader.read_event() {
             Ok(Event::Eof) => return true,
+            Ok(Event::Start(_)) => {
+                open.iter_mut().last().into_iter().for_each(|parts| *parts += 1);
+                open.push(0);
+            }
+            Ok(Event::Empty(_)) => open.iter_mut().last().into_iter().for_each(|parts| *parts += 1),
+            Ok(Event::End(tag)) => {
+                let parts = open.pop();
+                if PARTS.iter().any(|(name, count)| name.as_bytes() == tag.name().as_ref() && parts != Some(*count)) {
+                    return false;
+                }
+            }
             Ok(_) => {}
             Err(_) => return false,
         }
@@ -37,6 +53,7 @@ fn every_formula_is_written_for_the_terminal_and_for_a_page() {
         assert_eq!((page.matches("<math").count(), page.matches("merror").count()), (count, 0), "{id}: {page}");
     }
     assert!(!is_well_formed("<math><mi>x</math>"));
+    assert!(!is_well_formed("<msup><mspace/><mi>cos</mi><mn>2</mn></msup>") && is_well_formed("<msup><mi>x</mi><mn>2</mn></msup>"));
 }
 
 #[test]

@@ -46,21 +46,15 @@ impl Target {
         let problem = match fs::symlink_metadata(&target.folder) {
             Err(_) => None,
             Ok(what) if !what.is_dir() => Some("which is no folder".to_string()),
-            Ok(_) => target.stranger()?.map(|file| format!("which holds {file}, and that is not of a report")),
+            Ok(_) => stranger(&target.folder)?.map(|file| format!("which holds {file}, and that is not of a report")),
         };
-        match problem {
-            Some(problem) => refused(format!("is {}, {problem}", folder.display()), "name a new or an empty folder, or one with a report"),
-            None => Ok(target),
+        if let Some(problem) = problem {
+            return refused(format!("is {}, {problem}", folder.display()), "name a new or an empty folder, or one with a report");
         }
-    }
-
-    /// A file in the folder that no report has written there; none if it is empty or a report.
-    fn stranger(&self) -> Result<Option<String>> {
-        let present = files(&self.folder, "")?;
-        let before = fs::read_to_string(self.folder.join(FILE)).ok().and_then(|text| serde_json::from_str::<Before>(&text).ok());
-        let ours = before.filter(|before| before.schema == SCHEMA).map(|before| before.files).unwrap_or_default();
-        let is_marked = !ours.is_empty();
-        Ok(present.into_iter().find(|file| !(ours.contains(file) || is_marked && file == FILE)))
+        // what cannot be written is known before anything is computed
+        let new = target.beside("new");
+        fs::create_dir(&new).and_then(|()| fs::remove_dir(&new)).map_err(|source| Error::Write { file: new, source })?;
+        Ok(target)
     }
 
     /// Writes the files in place of what stood there.
@@ -82,7 +76,13 @@ impl Target {
             return fs::rename(new, &self.folder);
         }
         fs::rename(&self.folder, old)?;
-        if let Err(error) = fs::rename(new, &self.folder) {
+        // once more: somebody may have put something there while the report was computed
+        let put = match stranger(old) {
+            Ok(None) => fs::rename(new, &self.folder),
+            Ok(Some(file)) => Err(io::Error::other(format!("{file} was put there meanwhile, and that is not of a report"))),
+            Err(error) => Err(io::Error::other(error.to_string())),
+        };
+        if let Err(error) = put {
             fs::rename(old, &self.folder)?;
             return Err(error);
         }
@@ -94,6 +94,15 @@ impl Target {
         let name = self.folder.file_name().unwrap_or_default().to_string_lossy();
         self.folder.with_file_name(format!(".{name}.{what}-{}", std::process::id()))
     }
+}
+
+/// A file or an empty folder in a folder that no report has written there; none if it is empty or a report.
+fn stranger(folder: &Path) -> Result<Option<String>> {
+    let present = files(folder, "")?;
+    let before = fs::read_to_string(folder.join(FILE)).ok().and_then(|text| serde_json::from_str::<Before>(&text).ok());
+    let ours = before.filter(|before| before.schema == SCHEMA).map(|before| before.files).unwrap_or_default();
+    let is_marked = !ours.is_empty();
+    Ok(present.into_iter().find(|file| !(ours.contains(file) || is_marked && file == FILE)))
 }
 
 fn fill(folder: &Path, files: &[File]) -> io::Result<()> {
@@ -108,7 +117,7 @@ fn fill(folder: &Path, files: &[File]) -> io::Result<()> {
     Ok(())
 }
 
-/// Every file below a folder, by its path from there, with `/`.
+/// Every file and every empty folder below a folder, by its path from there, with `/`.
 fn files(folder: &Path, prefix: &str) -> Result<Vec<String>> {
     let wrong = |source: io::Error| Error::Read { file: folder.into(), source };
     let mut found = Vec::new();
@@ -116,7 +125,9 @@ fn files(folder: &Path, prefix: &str) -> Result<Vec<String>> {
         let entry = entry.map_err(wrong)?;
         let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
         if entry.file_type().map_err(wrong)?.is_dir() {
-            found.extend(files(&entry.path(), &format!("{name}/"))?);
+            let below = files(&entry.path(), &format!("{name}/"))?;
+            let is_empty = below.is_empty();
+            found.extend(if is_empty { vec![format!("{name}/")] } else { below });
         } else {
             found.push(name);
         }
@@ -192,6 +203,21 @@ mod tests {
         assert!(refusal(&folder).contains("notes.txt"));
         fs::write(folder.join(FILE), r#"{"schema": "other/1", "files": ["index.html", "notes.txt"]}"#).expect("writable");
         assert!(Target::new(&folder).is_err(), "another program's report.json marks no report of ours");
+    }
+
+    #[test]
+    fn what_is_put_there_while_the_report_is_computed_is_kept() {
+        let room = Empty::new("meanwhile");
+        let folder = room.0.join("report");
+        let target = Target::new(&folder).expect("new");
+        fs::create_dir(&folder).expect("writable");
+        fs::write(folder.join("thesis.tex"), "mine").expect("writable");
+        let message = target.write(&report(&["index.html"])).expect_err("refused").to_string();
+        assert!(message.contains("thesis.tex"), "{message}");
+        assert_eq!(room.names(), ["report/thesis.tex"]);
+        fs::remove_file(folder.join("thesis.tex")).expect("writable");
+        fs::create_dir(folder.join("mine")).expect("writable");
+        assert!(target.write(&report(&["index.html"])).is_err(), "an empty folder is somebody's as well");
     }
 
     #[test]

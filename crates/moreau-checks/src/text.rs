@@ -3,6 +3,25 @@
 use maud::{Markup, html};
 use textwrap::core::display_width;
 use textwrap::{Options, WordSplitter, fill};
+use unicode_normalization::UnicodeNormalization;
+use unicode_normalization::char::is_combining_mark;
+
+/// A text as a search compares it: as a keyboard types it, in small letters, without accents, with its plain dash and quotes.
+///
+/// ```
+/// use moreau_checks::text::folded;
+///
+/// assert_eq!(folded("Stewart–Trinkle, Painlevé’s"), "stewart-trinkle, painleve's");
+/// ```
+pub fn folded(text: &str) -> String {
+    let plain = |letter| match letter {
+        '\u{2010}'..='\u{2015}' | '\u{2212}' => '-',
+        '‘' | '’' => '\'',
+        '“' | '”' => '"',
+        other => other,
+    };
+    text.nfkd().filter(|letter| !is_combining_mark(*letter)).map(plain).collect::<String>().to_lowercase()
+}
 
 /// Whether to mark text with terminal colours, and where lines end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -27,7 +27,7 @@ pub(super) fn mathml(tex: &str) -> Result<String> {
         let mut page = String::new();
         push_mathml(&mut page, events.into_iter().map(Ok::<_, Infallible>), RenderConfig { xml: false, ..RenderConfig::default() })
             .map_err(|error| refused(tex, error.to_string()))?;
-        Ok(escaped(&page))
+        Ok(with_one_base(&escaped(&page)))
     })
 }
 
@@ -35,6 +35,25 @@ pub(super) fn mathml(tex: &str) -> Result<String> {
 fn escaped(page: &str) -> String {
     page.replace("><</", ">&lt;</").replace(">></", ">&gt;</").replace(">&</", ">&amp;</")
 }
+
+/// The library writes the space before a function into the script, whose base is then two elements: the space goes before the script.
+fn with_one_base(page: &str) -> String {
+    let mut written = String::new();
+    let mut rest = page;
+    while let Some(at) = rest.find("><mspace") {
+        let (before, after) = rest.split_at(at + 1);
+        let script = before.rfind('<').filter(|start| SCRIPTS.contains(&&before[*start..]));
+        let end = after.find("/>").map_or(after.len(), |end| end + 2);
+        let (space, following) = after.split_at(end);
+        let (kept, opened) = before.split_at(script.unwrap_or(before.len()));
+        written.extend([kept, space, opened]);
+        rest = following;
+    }
+    written + rest
+}
+
+/// The elements that hold a base and what stands at it.
+const SCRIPTS: [&str; 6] = ["<msup>", "<msub>", "<msubsup>", "<munder>", "<mover>", "<munderover>"];
 
 /// The first line of the parser's message: what follows draws the place, which the formula names.
 fn reason(message: &str) -> String {

@@ -58,6 +58,13 @@ fn pages_have_the_formula_as_mathml_the_code_as_code_and_the_rest_escaped() {
 }
 
 #[test]
+fn the_space_before_a_function_is_no_part_of_its_script() {
+    let page = page(r"$3\cos^2 x$");
+    assert!(page.contains("<msup><mi>cos</mi><mn>2</mn></msup>"), "{page}");
+    assert!(page.contains("/><msup>"), "the space stands before the script: {page}");
+}
+
+#[test]
 fn a_comma_stays_on_the_line_of_its_formula() {
     assert!(page("$x$, and").contains("</math>\u{2060}, and"));
     assert!(page("$x$ and").contains("</math> and"));

@@ -46,7 +46,7 @@
     history.replaceState(null, "", `#${[...parts, `k=${state.sample}`].join("&")}`);
   };
   const read = () => {
-    const asked = Object.fromEntries(location.hash.slice(1).split("&").map((part) => part.split("=").map(decodeURIComponent)));
+    const asked = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
     const take = (name, known) => { if (known.includes(asked[name])) $(NAMES[name]).value = asked[name]; };
     take("scene", scenes.map((one) => one.id));
     take("scheme", schemes.filter((one) => one.id === "moreau-jean" || one.id === "stewart-trinkle").map((one) => one.id));

@@ -45,7 +45,9 @@ const PASSAGE: Words = Words { en: "said by ", zh: "出处：" };
 
 /// A verdict as word and shape.
 pub fn verdict(view: &View, verdict: Verdict) -> Markup {
-    html! { span class={ "verdict " (verdict.key()) } { span.mark aria-hidden="true" { (verdict.mark()) } " " (view.say(verdict.words())) } }
+    html! {
+        span class={ "verdict " (verdict.key()) } { span.mark aria-hidden="true" { (verdict.mark()) } " " (view.say(verdict.words())) }
+    }
 }
 
 /// Verdict, severity, evidence, kind and repetition of a claim.

@@ -4,7 +4,10 @@
   var AXES = ["section", "verdict", "severity", "kind", "evidence"];
   var form = document.getElementById("filters");
   var shown = document.getElementById("shown");
-  var plain = function (text) { return text.normalize("NFKC").toLowerCase(); };
+  // as a keyboard types it: without accents, with its plain dash and quotes
+  var plain = function (text) {
+    return text.normalize("NFKD").replace(/\p{M}/gu, "").replace(/[\u2010-\u2015\u2212]/g, "-").replace(/[‘’]/g, "'").replace(/[“”]/g, '"').toLowerCase();
+  };
   var claims = Array.prototype.map.call(document.getElementById("claims").children, function (item) {
     var texts = [item.querySelector("a")].concat(Array.prototype.slice.call(item.querySelectorAll("[data-text]")));
     return { item: item, text: plain(texts.map(function (one) { return one.textContent; }).join(" ")) };

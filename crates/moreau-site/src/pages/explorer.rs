@@ -1,6 +1,6 @@
 //! The page of the explorer among the others, and its files.
 
-use super::File;
+use super::file::File;
 use super::frame::document;
 use super::view::View;
 use crate::explorer;

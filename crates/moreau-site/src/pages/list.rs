@@ -13,7 +13,8 @@ use moreau_checks::formula;
 
 const TITLE: Words = Words { en: "Every claim", zh: "全部论断" };
 const LEAD: Words = Words {
-    en: "{0} claims of the chapter. Search in ids, titles, statements and corrections; every word must occur. The address keeps what is chosen.",
+    en: "{0} claims of the chapter. Search in ids, titles, statements and corrections; every word must occur. \
+         The address keeps what is chosen.",
     zh: "本章的 {0} 条论断。可在编号、标题、陈述与更正（英文）以及勘误的中文文字、本章标题和引文中搜索，须包含全部词语；网址会保存所选条件。",
 };
 const WITHOUT: Words = Words {
@@ -115,7 +116,8 @@ fn reads(view: &View, claim: &ClaimEntry) -> Markup {
     }
 }
 
-/// What the search of a Chinese page finds a claim by beside what is shown: the rest of its erratum, its headings and the chapter's own words.
+/// What the search of a Chinese page finds a claim by beside what is shown: the rest of its erratum, its headings and the chapter's own
+/// words.
 fn more_in_chinese(claim: &ClaimEntry) -> String {
     let erratum = claim.erratum.iter().flat_map(|erratum| [unicode(&erratum.wrong), unicode(&erratum.reads)]);
     let mut parts: Vec<String> = Vec::new();

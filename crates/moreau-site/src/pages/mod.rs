@@ -7,6 +7,7 @@ pub mod data;
 mod defects;
 mod errata;
 mod explorer;
+mod file;
 mod frame;
 mod front;
 mod list;
@@ -25,18 +26,12 @@ mod systems_words;
 mod tests;
 mod view;
 
+pub use file::File;
+
 use crate::Language;
 use data::Report;
 use moreau_exact::Result;
 use view::{View, path, section_file};
-
-/// A file of the report.
-pub struct File {
-    /// Its path from the folder of the report, with `/`.
-    pub path: String,
-    /// What it holds.
-    pub text: String,
-}
 
 /// Every file of the report, English pages first; `done` is told of every picture and every run of the explorer.
 ///

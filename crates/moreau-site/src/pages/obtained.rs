@@ -32,7 +32,8 @@ const ROWS: [Row; 10] = [
         file: "claims.html",
         what: Words { en: "verdicts of the claims", zh: "论断的结论" },
         how: Words {
-            en: "computed for this report: every check ran on the sentence's subject and on each control; the verdict follows from the findings",
+            en: "computed for this report: every check ran on the sentence's subject and on each control; the verdict follows from the \
+                 findings",
             zh: "为本报告计算：每个检查都在该句的对象和每个对照上运行；结论由结果推出",
         },
         command: "moreau verify",

@@ -1,6 +1,6 @@
 //! The page of pictures: each with its question, what is seen, how it was obtained, and the claims that it illustrates.
 
-use super::File;
+use super::file::File;
 use super::frame::document;
 use super::prose::prose;
 use super::view::View;

@@ -166,7 +166,9 @@ fn matrix(view: &View, standings: &[Standing]) -> Markup {
         table.matrix {
             thead { tr {
                 th scope="col" { (view.say(ENGINE)) }
-                @for check in checks::all() { th scope="col" { a href=(sentence_link(view, &format!("check:{}", check.name))) { (check.name) } } }
+                @for check in checks::all() {
+                    th scope="col" { a href=(sentence_link(view, &format!("check:{}", check.name))) { (check.name) } }
+                }
             } }
             tbody {
                 @for standing in standings {
@@ -189,7 +191,8 @@ fn cell(view: &View, engine: &str, report: &Report, check: &str) -> Markup {
     let word = view.say(short(outcome.verdict));
     html! {
         td class=(outcome.verdict.word()) {
-            a href=(sentence_link(view, &format!("{engine}:{check}"))) aria-label={ (engine) (view.comma()) (check) (view.colon()) (word) } { (mark(outcome.verdict)) }
+            a href=(sentence_link(view, &format!("{engine}:{check}")))
+                aria-label={ (engine) (view.comma()) (check) (view.colon()) (word) } { (mark(outcome.verdict)) }
         }
     }
 }
@@ -245,7 +248,10 @@ fn decided(outcome: &CheckOutcome) -> String {
 fn reason(view: &View, k: usize, cause: &Cause) -> Markup {
     html! {
         details {
-            summary { b { (view.say(component(cause.error))) } (view.colon()) (cause.engines.join(view.comma())) (view.colon()) (cause.checks.join(view.comma())) }
+            summary {
+                b { (view.say(component(cause.error))) } (view.colon()) (cause.engines.join(view.comma())) (view.colon())
+                (cause.checks.join(view.comma()))
+            }
             p id={ "cause:" (k) } { (view.english(&cause.cause)) }
             p { (view.say(SEEN)) (view.english(&cause.evidence)) }
         }

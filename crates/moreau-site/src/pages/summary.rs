@@ -35,7 +35,9 @@ pub fn page(view: &View) -> String {
             h1 { (view.say(TITLE)) }
             p.meta { (view.chinese(&report.chapter)) }
             p { (view.tell(HOW, &[&report.claims.len()])) }
-            ul.counts { @for &each in Verdict::ALL { li { (verdict(view, each)) " " b { (report.count(|claim| claim.verdict == each)) } } } }
+            ul.counts {
+                @for &each in Verdict::ALL { li { (verdict(view, each)) " " b { (report.count(|claim| claim.verdict == each)) } } }
+            }
             p {
                 (view.say(EVIDENCE))
                 @for (k, &each) in Evidence::ALL.iter().enumerate() {
@@ -52,7 +54,10 @@ pub fn page(view: &View) -> String {
             h2 { (view.say(ELSEWHERE)) }
             ul { @for line in [front::findings(view), front::systems(view), front::board(view), front::defects(view)] { li { (line) } } }
             h2 { (view.say(AGAIN)) }
-            p { code { "moreau verify" } (view.comma()) code { "moreau verify --explain ID" } (view.comma()) code { "moreau report --out FOLDER" } }
+            p {
+                code { "moreau verify" } (view.comma()) code { "moreau verify --explain ID" } (view.comma())
+                code { "moreau report --out FOLDER" }
+            }
         }
     };
     document(view, view.say(TITLE), &body)

@@ -5,7 +5,8 @@ mod reading;
 
 use super::axes::{Evidence, Kind, Role, Severity, Verdict};
 use super::data::*;
-use super::{File, without_runs};
+use super::file::File;
+use super::without_runs;
 use crate::{Language, Words};
 use moreau_gate::cause::{Cause, Component};
 use moreau_gate::scoreboard::Standing;

@@ -21,8 +21,8 @@ pub(super) const PAINLEVE: Picture = Picture {
     caption: Words {
         en: "A uniform rod slides on a floor with its lower end ahead, away from the side it leans to. Below the curve one \
             sliding force exists. Above it W_nn + μ W_nt < 0: pushing harder makes the end approach faster, and there is none or \
-            there are two – Painlevé's paradox. The curve is (1 + 3c²)/(3 s c) and never falls below μ = 4/3. Impulses resolve the paradox: the slide \
-            ends at once, an impact without collision.",
+            there are two – Painlevé's paradox. The curve is (1 + 3c²)/(3 s c) and never falls below μ = 4/3. Impulses resolve the \
+            paradox: the slide ends at once, an impact without collision.",
         zh: "均质杆以下端在前的方式在地面上滑动，即背离其倾斜的一侧。曲线下方存在唯一的滑动接触力；曲线上方 W_nn + μ W_nt < 0：压得越紧，杆端接近得越快，接触力或者无解，或者有两个解——即 Painlevé 悖论。曲线为 (1 + 3c²)\
             /(3 s c)，最低点 μ = 4/3。用冲量描述即可化解：滑动瞬间终止，成为“无碰撞的冲击”。",
     },
