@@ -110,8 +110,9 @@ pub const SCENES: [SceneEntry; 5] = [
         id: "incline",
         name: Words { en: "Block on an incline", zh: "斜面上的物块" },
         about: Words {
-            en: "A block of 1 kg lies on a slope of 20°; tan 20° = 0.364 divides sliding from sticking.",
-            zh: "1 kg 的物块放在 20° 的斜面上；tan 20° = 0.364 是滑动与粘着的分界。",
+            en: "A block of 1 kg lies on a slope of 20°; tan 20° = 0.364 divides sliding from sticking. By Coulomb’s law its speed is \
+                 max(0, sin 20° − μ cos 20°) g t. Nothing arrives, so that e does not act.",
+            zh: "1 kg 的物块放在 20° 的斜面上；tan 20° = 0.364 是滑动与粘着的分界。按库仑定律，其速度为 max(0, sin 20° − μ cos 20°) g t。没有碰撞，因此 e 不起作用。",
         },
         friction: &[0.1, 0.3, 0.36, 0.5],
         restitution: &[0.0],
