@@ -67,9 +67,11 @@ const moreauDraw = (() => {
     });
   };
 
-  // The largest impulse and the largest law velocity of a run.
+  // Whether a contact has an impulse: the law velocity of one that is far and open would dwarf those that touch.
+  const pushes = (contact, k) => contact.active[k] && contact.rn[k] !== 0;
+  // The largest impulse and the largest law velocity of the contacts of a run that push.
   const largest = (run, part) => Math.max(0, ...run.contacts.map((contact) => contact[`${part}n`].reduce((most, n, k) =>
-    contact.active[k] ? Math.max(most, Math.hypot(n, contact[`${part}t`][k], contact[`${part}s`][k])) : most, 0)));
+    pushes(contact, k) ? Math.max(most, Math.hypot(n, contact[`${part}t`][k], contact[`${part}s`][k])) : most, 0)));
   // The size of the tangential part with the sign that it has in the plane of the picture.
   const aside = (contact, part, k) => Math.hypot(contact[`${part}t`][k], contact[`${part}s`][k]) * (contact[`${part}t`][k] < 0 ? -1 : 1);
 
@@ -110,7 +112,7 @@ const moreauDraw = (() => {
     };
     return (k) => {
       arrows.replaceChildren();
-      run.contacts.filter((contact) => contact.active[k]).forEach((contact) => {
+      run.contacts.filter((contact) => pushes(contact, k)).forEach((contact) => {
         arrow(aside(contact, "y", k), contact.yn[k], most[1], "velocity");
         arrow(aside(contact, "r", k), contact.rn[k], most[0], "impulse");
       });

@@ -109,7 +109,7 @@
       + `(${plain(body.vx[k])}, ${plain(body.vz[k])}) m/s, ${texts.spin} ${plain(body.omega[k])} rad/s`]);
     rows.push([texts.gap, `${plain(run.gap[k])} m`], [texts.energy, `${plain(run.energy[k])} J`]);
     rows.push([texts.natural, run.natural[k] === null ? "–" : `${short(run.natural[k])} N·s`]);
-    const active = run.contacts.filter((contact) => contact.active[k]);
+    const active = run.contacts.filter((contact) => contact.active[k] && contact.rn[k] !== 0);
     const size = (contact) => Math.hypot(contact.rn[k], contact.rt[k], contact.rs[k]);
     const top = active.reduce((most, contact) => !most || size(contact) > size(most) ? contact : most, undefined);
     if (!top) return [...rows, [texts.impulse, texts.open]];

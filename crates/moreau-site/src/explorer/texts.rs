@@ -28,8 +28,8 @@ pub const TEXTS: [(&str, Words); 37] = [
     ("impulse", Words { en: "impulse r", zh: "冲量 r" }),
     ("velocity", Words { en: "velocity u at the contact", zh: "接触点速度 u" }),
     ("law", Words { en: "law velocity ŷ", zh: "定律速度 ŷ" }),
-    ("more", Words { en: "contacts active; the largest impulse", zh: "个接触起作用；其中最大冲量" }),
-    ("open", Words { en: "no contact active", zh: "没有起作用的接触" }),
+    ("more", Words { en: "contacts push; the largest impulse", zh: "个接触有冲量；其中最大冲量" }),
+    ("open", Words { en: "no contact pushes", zh: "没有接触有冲量" }),
     ("ground", Words { en: "ground", zh: "地面" }),
     ("across", Words { en: "across", zh: "面外" }),
     ("away", Words { en: "in space the bodies leave the plane of the picture, by up to", zh: "在空间中物体离开图面，至多" }),
@@ -94,11 +94,11 @@ pub(super) const HOW: Words = Words { en: "How to read this page", zh: "如何�
 
 pub(super) const NOTES: [Words; 5] = [
     Words {
-        en: "The cone: the filled wedge is K, |r_t| ≤ μ r_n, with the impulse r of every active contact as a solid arrow \
+        en: "The cone: the filled wedge is K, |r_t| ≤ μ r_n, with the impulse r of every contact that pushes as a solid arrow \
              [N·s]; the wide wedge is its dual K*, y_n ≥ μ|y_t|, with ŷ as a dashed arrow [m/s]. A step is solved where r lies \
              in K, ŷ in K*, and both are at right angles or one of them is zero. Lengths grow as the square root; directions \
              are true.",
-        zh: "锥：填充的楔形是 K，|r_t| ≤ μ r_n，每个起作用接触的冲量 r 画成实线箭头 [N·s]；宽楔形是对偶锥 K*，y_n ≥ μ|y_t|，ŷ 画成虚线箭头 [m/s]。\
+        zh: "锥：填充的楔形是 K，|r_t| ≤ μ r_n，每个有冲量的接触的 r 画成实线箭头 [N·s]；宽楔形是对偶锥 K*，y_n ≥ μ|y_t|，ŷ 画成虚线箭头 [m/s]。\
              r 在 K 中、ŷ 在 K* 中且两者垂直（或其一为零）时，该步得解。长度按平方根增长，方向真实。",
     },
     Words {
