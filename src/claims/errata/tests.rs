@@ -94,7 +94,7 @@ fn errata_stand_in_the_order_of_the_chapter() {
 
 /// What keeps a text from being printed: a sentence without its end, a formula that no page can show or that holds Chinese.
 fn unprintable(text: &str) -> Option<String> {
-    let foreign = |formula: &String| formula.chars().any(|letter| !letter.is_ascii());
+    let foreign = |formula: &String| !formula.is_ascii();
     match (html(text), formulas(text)) {
         (Err(error), _) | (_, Err(error)) => Some(error.to_string()),
         (Ok(_), Ok(formulas)) if formulas.iter().any(foreign) => Some(format!("not TeX: {formulas:?}")),
