@@ -1,7 +1,8 @@
 //! Texts that come from claims, engines and files: escaped, with code between backticks and formulas between dollar signs.
 
-use maud::{Markup, PreEscaped, html};
+use maud::{Markup, PreEscaped};
 use moreau_checks::formula;
+use moreau_checks::text::with_code;
 
 /// A text as markup. What is no formula although it has the marks of one – a path with a backslash, a price – stays as it is.
 pub fn prose(text: &str) -> Markup {
@@ -14,19 +15,6 @@ fn short(markup: Markup) -> Markup {
     PreEscaped(
         text.replace("<math display=\"inline\">", "<math>").replace(" symmetric=\"false\" stretchy=\"false\"", " stretchy=\"false\""),
     )
-}
-
-/// A text with what stands between two backticks as code.
-pub fn with_code(text: &str) -> Markup {
-    let parts: Vec<&str> = text.split('`').collect();
-    if parts.len().is_multiple_of(2) {
-        return html! { (text) };
-    }
-    html! {
-        @for (k, part) in parts.iter().enumerate() {
-            @if k % 2 == 1 { code { (part) } } @else { (part) }
-        }
-    }
 }
 
 #[cfg(test)]

@@ -2,11 +2,11 @@
 
 use super::frame::document;
 use super::front;
-use super::prose::with_code;
 use super::systems_words;
 use super::view::View;
 use crate::{Language, Words};
 use maud::{Markup, html};
+use moreau_checks::text::with_code;
 use moreau_exact::number::{significant, two_digits, with_unit};
 use moreau_replicas::systems::{AgreementReport, Cone, ConstraintLevel, ContactLaw, SystemReport};
 

@@ -1,9 +1,10 @@
 //! A page in one language: its fixed texts, its links, and which words on it are of the other language.
 
 use super::data::{ClaimEntry, Report};
-use super::prose::{prose, with_code};
+use super::prose::prose;
 use crate::{Language, Words};
 use maud::{Markup, html};
+use moreau_checks::text::with_code;
 
 /// A page to be written: the report, the language, and the page's file.
 #[derive(Clone, Copy)]
