@@ -3,7 +3,7 @@
 use super::texts::{ACTS, TEXTS};
 use super::view::FILES;
 use super::*;
-use crate::Language;
+use crate::words::Language;
 use moreau_contact::solvers::Auto;
 use moreau_dynamics::schemes::simulate;
 use moreau_replicas::staging::for_scheme;

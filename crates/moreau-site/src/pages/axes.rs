@@ -1,6 +1,6 @@
 //! What is said of a claim on each axis – verdict, severity, kind, evidence – in words, with a key for links and filters.
 
-use crate::Words;
+use crate::words::Words;
 
 /// One value of an axis.
 pub trait Axis: Copy + PartialEq + Sized + 'static {

@@ -6,7 +6,7 @@ use super::data::{ClaimEntry, ControlEntry, Erratum, FindingEntry, PlaceEntry, V
 use super::prose::prose;
 use super::related::see_also;
 use super::view::View;
-use crate::{Language, Words};
+use crate::words::{Language, Words};
 use maud::{Markup, html};
 
 const SAYS: Words = Words { en: "The chapter says", zh: "本章的说法" };

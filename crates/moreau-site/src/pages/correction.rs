@@ -2,7 +2,7 @@
 
 use super::axes::Verdict;
 use super::data::ClaimEntry;
-use crate::Words;
+use crate::words::Words;
 
 const READS: Words = Words { en: "How it should read", zh: "应当表述为" };
 const PRECISELY: Words = Words { en: "More precisely", zh: "更确切的表述" };

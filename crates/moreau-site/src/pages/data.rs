@@ -1,7 +1,7 @@
 //! What the pages are given: plain data, judged elsewhere.
 
 use super::axes::{Evidence, Kind, Role, Severity, Verdict};
-use crate::Words;
+use crate::words::Words;
 use moreau_gate::cause::Cause;
 use moreau_gate::scoreboard::Standing;
 use moreau_replicas::systems;

@@ -4,7 +4,7 @@ use super::data::DefectEntry;
 use super::frame::document;
 use super::front;
 use super::view::View;
-use crate::Words;
+use crate::words::Words;
 use maud::{Markup, html};
 use moreau_checks::planted::{KINDS, Kind};
 

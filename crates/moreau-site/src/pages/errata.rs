@@ -7,7 +7,7 @@ use super::frame::document;
 use super::section::title;
 use super::severity;
 use super::view::View;
-use crate::{Language, Words};
+use crate::words::{Language, Words};
 use maud::{Markup, html};
 
 const TITLE: Words = Words { en: "Errata", zh: "勘误表" };

@@ -1,7 +1,7 @@
 //! What every page has: its head, the way to the other pages, and the same page in the other language.
 
 use super::view::View;
-use crate::{Language, Words};
+use crate::words::{Language, Words};
 use maud::{DOCTYPE, Markup, html};
 
 /// Every page that the menu names, with its file.

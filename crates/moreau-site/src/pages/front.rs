@@ -5,7 +5,7 @@ use super::data::Report;
 use super::frame::document;
 use super::section::title;
 use super::view::{View, section_file};
-use crate::Words;
+use crate::words::Words;
 use maud::{Markup, html};
 use moreau_gate::Verdict as Gate;
 

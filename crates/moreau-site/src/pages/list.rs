@@ -7,7 +7,7 @@ use super::data::ClaimEntry;
 use super::frame::document;
 use super::section::title;
 use super::view::{View, section_file};
-use crate::{Language, Words};
+use crate::words::{Language, Words};
 use maud::{Markup, html};
 use moreau_checks::formula;
 

@@ -28,7 +28,7 @@ mod view;
 
 pub use file::File;
 
-use crate::Language;
+use crate::words::Language;
 use data::Report;
 use moreau_exact::Result;
 use view::{View, path, section_file};

@@ -2,7 +2,7 @@
 
 use super::frame::document;
 use super::view::View;
-use crate::Words;
+use crate::words::Words;
 use maud::{Markup, html};
 
 const TITLE: Words = Words { en: "How each number was obtained", zh: "每个数据的来源" };

@@ -3,7 +3,7 @@
 use super::data::{ProblemEntry, Uniqueness};
 use super::frame::document;
 use super::view::View;
-use crate::Words;
+use crate::words::Words;
 use maud::{Markup, html};
 
 const TITLE: Words = Words { en: "Contact problems with certified answers", zh: "带认证解的接触问题" };

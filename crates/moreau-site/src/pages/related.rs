@@ -2,7 +2,7 @@
 
 use super::data::ClaimEntry;
 use super::view::View;
-use crate::Words;
+use crate::words::Words;
 use maud::{Markup, html};
 
 const SEE: Words = Words { en: "See also: ", zh: "另见：" };

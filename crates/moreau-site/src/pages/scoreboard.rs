@@ -5,7 +5,7 @@
 use super::frame::document;
 use super::front;
 use super::view::View;
-use crate::{Language, Words};
+use crate::words::{Language, Words};
 use maud::{Markup, html};
 use moreau_exact::number::significant;
 use moreau_gate::cause::{self, Cause, Component};

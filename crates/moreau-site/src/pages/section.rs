@@ -5,7 +5,7 @@ use super::claim::{article, verdict};
 use super::data::Section;
 use super::frame::document;
 use super::view::{View, section_file};
-use crate::Words;
+use crate::words::Words;
 use maud::{Markup, html};
 
 const CLAIMS: Words = Words { en: "{0} claims", zh: "{0} 条论断" };

@@ -3,7 +3,7 @@
 use super::axes::{Axis, Severity};
 use super::data::ClaimEntry;
 use super::view::View;
-use crate::Words;
+use crate::words::Words;
 use maud::{Markup, html};
 
 const BY_SEVERITY: Words = Words { en: "By severity", zh: "按严重程度" };

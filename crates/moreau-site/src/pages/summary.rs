@@ -7,7 +7,7 @@ use super::errata::{grave, is_grave};
 use super::frame::document;
 use super::front;
 use super::view::View;
-use crate::Words;
+use crate::words::Words;
 use maud::{Markup, html};
 
 const TITLE: Words = Words { en: "Summary", zh: "摘要" };

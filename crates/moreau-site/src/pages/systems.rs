@@ -4,7 +4,7 @@ use super::frame::document;
 use super::front;
 use super::systems_words;
 use super::view::View;
-use crate::{Language, Words};
+use crate::words::{Language, Words};
 use maud::{Markup, html};
 use moreau_checks::text::with_code;
 use moreau_exact::number::{significant, two_digits, with_unit};

@@ -7,7 +7,7 @@ use super::axes::{Evidence, Kind, Role, Severity, Verdict};
 use super::data::*;
 use super::file::File;
 use super::without_runs;
-use crate::{Language, Words};
+use crate::words::{Language, Words};
 use moreau_gate::cause::{Cause, Component};
 use moreau_gate::scoreboard::Standing;
 use moreau_replicas::systems::{AgreementReport, Cone, ConstraintLevel, ContactLaw, SystemReport};

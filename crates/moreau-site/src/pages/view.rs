@@ -2,7 +2,7 @@
 
 use super::data::{ClaimEntry, Report};
 use super::prose::prose;
-use crate::{Language, Words};
+use crate::words::{Language, Words};
 use maud::{Markup, html};
 use moreau_checks::text::with_code;
 
