@@ -69,12 +69,12 @@ fn files_of(room: &str) -> Vec<File> {
         let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         let (code, modules) = without_tests(&strip(&text));
         let folder = path.parent().expect("a file lies in a folder");
-        test_only.extend(modules.iter().map(|name| folder.join(format!("{name}.rs"))));
+        test_only.extend(modules.iter().flat_map(|name| [folder.join(format!("{name}.rs")), folder.join(name)]));
         files.push((path, code));
     }
     // `x_tests.rs` is the test module of `x.rs`, named by a path attribute
     let named_so = |path: &PathBuf| path.to_string_lossy().ends_with("_tests.rs");
-    files.retain(|(path, _)| !test_only.contains(path) && !named_so(path));
+    files.retain(|(path, _)| !test_only.iter().any(|only| path.starts_with(only)) && !named_so(path));
     let below = |path: PathBuf| path.strip_prefix(&root).expect("found below the root").to_path_buf();
     files.into_iter().map(|(path, code)| File { room: room.into(), path: below(path), code }).collect()
 }

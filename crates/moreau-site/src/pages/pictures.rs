@@ -4,8 +4,9 @@ use super::file::File;
 use super::frame::document;
 use super::prose::prose;
 use super::view::View;
+use crate::picture::Picture;
 use crate::pictures::PICTURES;
-use crate::{Picture, Words};
+use crate::words::Words;
 use maud::{Markup, html};
 use moreau_exact::Result;
 

@@ -5,7 +5,7 @@ use super::claim::{article, verdict};
 use super::data::Section;
 use super::frame::document;
 use super::view::{View, section_file};
-use crate::words::Words;
+use crate::words::{Language, Words};
 use maud::{Markup, html};
 
 const CLAIMS: Words = Words { en: "{0} claims", zh: "{0} 条论断" };
@@ -21,8 +21,8 @@ pub fn page(view: &View, section: &Section) -> String {
     let body = html! {
         h1 { (title(view, section)) }
         @match view.language {
-            crate::Language::English => p.meta { (view.say(HEADING)) (view.chinese(section.title.zh)) },
-            crate::Language::Chinese => p.meta { (view.say(HEADING)) span lang="en" { (section.title.en) } },
+            Language::English => p.meta { (view.say(HEADING)) (view.chinese(section.title.zh)) },
+            Language::Chinese => p.meta { (view.say(HEADING)) span lang="en" { (section.title.en) } },
         }
         nav.neighbours aria-label=(view.say(OTHER_SECTIONS)) { (neighbours(view, section)) }
         p { (view.tell(CLAIMS, &[&claims.len()])) (view.colon()) (counts(view, section)) }
