@@ -162,7 +162,7 @@ def look(browser: Browser, folder: pathlib.Path, axe: str) -> list[str]:
     """Every check on every page that it is for."""
     every = site.pages(folder)
     of = lambda name: [folder / name, folder / "zh" / name]
-    wrong = site.too_large(folder) + site.lost_links(folder) + site.unlabelled(folder)
+    wrong = site.too_large(folder) + site.lost_links(folder) + site.unlabelled(folder) + site.told_otherwise(folder)
     for name, check in (
         ("errors", lambda: errors(browser, folder, every)),
         ("shapes", lambda: shapes(browser, folder, every)),

@@ -99,3 +99,25 @@ def unlabelled(folder: pathlib.Path) -> list[str]:
     """Pictures that name no unit in brackets."""
     texts = lambda file: re.findall(r"<text\b[^>]*>(.*?)</text>", file.read_text(), re.DOTALL)
     return [f"{file.name} names no unit" for file in sorted((folder / "pictures").glob("*.svg")) if not any(re.search(r"\[[^\]]+\]", text) for text in texts(file))]
+
+
+STANDING = re.compile(r'<article class="claim" id="([^"]+)".*?<span class="verdict ([a-z]+)"', re.DOTALL)
+COUNTED = re.compile(r'<a href="claims\.html#([a-z]+)=([^"&]+)">(.*?)</a>', re.DOTALL)
+
+
+def told_otherwise(folder: pathlib.Path) -> list[str]:
+    """Verdicts of section pages and counts of front pages that are not those of report.json."""
+    claims = document(folder)["claims"]
+    verdicts = {claim["id"]: axis(claim, "verdict") for claim in claims}
+    wrong = []
+    for room in (folder, folder / "zh"):
+        told = {name: key for page in sorted(room.glob("section-*.html")) for name, key in STANDING.findall(page.read_text())}
+        wrong += [f"{room.name}: {name} is {told.get(name)} on its page" for name, key in verdicts.items() if told.get(name) != key]
+        counts = COUNTED.findall((room / "index.html").read_text())
+        for name, value, markup in counts:
+            expected = sum(axis(claim, name) == urllib.parse.unquote(value) for claim in claims)
+            if expected not in map(int, re.findall(r"\d+", re.sub("<[^>]*>", " ", markup))):
+                wrong.append(f"{room.name}/index.html: {name} {value} is not {expected}")
+        if not counts:
+            wrong.append(f"{room.name}/index.html: no count leads to the list of claims")
+    return wrong
