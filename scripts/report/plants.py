@@ -45,7 +45,7 @@ def look(browser: Browser, folder: pathlib.Path, axe: str, room: pathlib.Path) -
         ("a picture from elsewhere", inserted("index.html", '<img alt="" src="http://elsewhere.invalid/a.png">'), lambda copy: checks.errors(browser, copy, front(copy))),
         ("a link to no page", changed("index.html", 'href="errata.html"', 'href="erratum.html"'), site.lost_links),
         ("a link to no claim", inserted("index.html", '<a href="section-S4.html#S4.none">a</a>'), site.lost_links),
-        ("another verdict on the page of a section", changed("section-S4.html", 'class="verdict false"', 'class="verdict true"'), site.told_otherwise),
+        ("another verdict on the page of a section", changed("section-S4.html", 'standing"><span class="verdict false"', 'standing"><span class="verdict true"'), site.told_otherwise),
         ("another count on the front page", changed("index.html", '</b> <span><span class="mark"', '0</b> <span><span class="mark"'), site.told_otherwise),
         ("a picture without units", first_picture, site.unlabelled),
         ("a report too large", added("large.bin", site.MOST_BYTES), site.too_large),
