@@ -31,7 +31,7 @@ use pieces::{Piece, pieces};
 /// ```
 /// use moreau_checks::formula::unicode;
 ///
-/// assert_eq!(unicode(r"$x^T M x \ge 0$ for $x \ge 0$")?, "xᵀM x ≥ 0 for x ≥ 0");
+/// assert_eq!(unicode(r"$x^T M x \ge 0$ for $x \ge 0$")?, "xᵀMx ≥ 0 for x ≥ 0");
 /// # Ok::<(), moreau_exact::Error>(())
 /// ```
 /// # Errors
