@@ -46,10 +46,10 @@ pub fn encode(channels: &[Vec<i64>]) -> String {
     BASE64.encode(&bytes)
 }
 
-/// The channels of a text of [`encode`], each with so many numbers.
+/// The channels of a text of `encode`, each with so many numbers.
 ///
 /// # Errors
-/// [`Error::Unsupported`] where the text is not one of [`encode`].
+/// [`Error::Unsupported`] where the text is not one of `encode`.
 pub fn decode(text: &str, length: usize) -> Result<Vec<Vec<i64>>> {
     let broken = || Error::Unsupported("the text holds no run".into());
     let bytes = BASE64.decode(text.as_bytes()).map_err(|_| broken())?;

@@ -42,7 +42,7 @@ pub struct Run {
     pub contacts: Vec<Slot>,
     /// The words of the residuals, which their channel counts.
     pub words: Vec<String>,
-    /// The channels, as [`encode`] writes them.
+    /// The channels, as `encode` writes them.
     pub data: String,
 }
 
