@@ -11,6 +11,7 @@ use moreau::cli::posed;
 use moreau::number::{significant, with_unit};
 use moreau::problem::Posed;
 use moreau::report::json::pretty;
+use moreau::tolerance::certificate::CERTIFY;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::fmt::Write;
@@ -69,9 +70,14 @@ pub fn certify(
 /// `InvalidInput` for a number that is no tolerance.
 pub fn accepted(py: Python<'_>, tolerance: Option<f64>) -> PyResult<f64> {
     match tolerance {
-        None => Ok(moreau::tolerance::certificate::CERTIFY),
+        None => Ok(CERTIFY),
         Some(tolerance) if tolerance > 0.0 && tolerance < 1.0 => Ok(tolerance),
-        Some(other) => Err(invalid(py, "tolerance", format!("is {other}"), "give a number above 0 and below 1, such as 1e-8")),
+        Some(other) => Err(invalid(
+            py,
+            "tolerance",
+            format!("is {other}"),
+            format!("give a number above 0 and below 1, such as {}", significant(CERTIFY)),
+        )),
     }
 }
 

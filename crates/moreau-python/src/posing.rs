@@ -74,14 +74,10 @@ pub fn pose(arguments: &Arguments) -> PyResult<Problem> {
 /// Says what is unusual of a problem that is taken as it stands.
 fn warn(py: Python<'_>, remarks: &[String]) -> PyResult<()> {
     for text in remarks {
-        let text = text.replace("field `delassus`", "`W`");
-        py.import("warnings")?.call_method1("warn", (text, py.import("moreau_contact._errors")?.getattr("UnusualOperator")?, CALLER))?;
+        py.import("moreau_contact._errors")?.call_method1("warn_of", (text.replace("field `delassus`: ", ""),))?;
     }
     Ok(())
 }
-
-/// Of the frames of Python the first: this function stands in none.
-const CALLER: u32 = 1;
 
 /// A law by its name in files.
 ///

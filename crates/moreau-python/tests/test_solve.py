@@ -108,6 +108,9 @@ def test_an_operator_that_is_none_of_contacts_between_masses_is_warned_of():
         with pytest.warns(mc.UnusualOperator, match=word) as warned:
             problem = mc.Problem(W, [-1, 0], [0.5])
         assert warned[0].filename == __file__ and len(problem.remarks) == 1
+    with pytest.warns(mc.UnusualOperator) as warned:
+        mc.solve([[1, 0.1], [0, 1]], [-1, 0], [0.5])
+    assert warned[0].filename == __file__
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert mc.Problem(np.eye(2), [-1, 0], [0.5]).remarks == []

@@ -1,3 +1,5 @@
+//! The errata in Chinese against the claims: who has one, in which order, and that no number of theirs is another one.
+
 use super::*;
 use crate::checks::formula::{formulas, html};
 use crate::claims::{Claim, ClaimVerdict, SECTIONS, all, find};

@@ -4,9 +4,12 @@ use crate::operator::{BlockSparse, Sparse};
 use crate::problem::{ContactProblem, Law};
 use nalgebra::{DMatrix, DVector, dmatrix, dvector};
 
+/// Why building them cannot fail.
+const SOUND: &str = "sizes that fit, finite numbers, μ ≥ 0 and masses > 0";
+
 /// A point of 1 kg on a plane.
 pub(super) fn point(law: Law, friction: f64, free: DVector<f64>) -> ContactProblem {
-    ContactProblem::new(DMatrix::identity(3, 3), free).law(law).friction(vec![friction]).build().unwrap()
+    ContactProblem::new(DMatrix::identity(3, 3), free).law(law).friction(vec![friction]).build().expect(SOUND)
 }
 
 /// Free velocities of the point with μ = ½, and its impulses: open, sticking, at rest, at the apex, sliding.
@@ -48,11 +51,11 @@ pub(super) fn four_corners(law: Law, sideways: f64, turning: f64) -> ContactProb
         .friction(vec![0.5; 4])
         .bodies(vec![[Some(0), None]; 4])
         .build()
-        .unwrap()
+        .expect(SOUND)
 }
 
 /// The same problem with W by blocks.
 pub(super) fn by_blocks(problem: &ContactProblem) -> ContactProblem {
-    let blocks = BlockSparse::from_sparse(&Sparse::of(problem.dense()), problem.rows_per_contact()).unwrap();
-    problem.clone().into_builder().delassus(blocks).build().unwrap()
+    let blocks = BlockSparse::from_sparse(&Sparse::of(problem.dense()), problem.rows_per_contact()).expect(SOUND);
+    problem.clone().into_builder().delassus(blocks).build().expect(SOUND)
 }

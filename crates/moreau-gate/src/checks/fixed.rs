@@ -28,7 +28,7 @@ pub const CHECKS: &[Check] = &[
         level: Level::Simulate,
         question: "Do a sphere and a box rest on a static box as on the floor, and does this box stay where it is?",
         derivation: "0 = m g + Σ r_n/h for the two bodies; the static one takes r_n and does not move. The velocity after each step is 0 \
-            up to rounding and to the solver, which may leave a part 3.5e-4 of the impulse m g h of each step, as everywhere.",
+            up to rounding and to the solver, which may leave a part √2⁻²³ of the impulse m g h of each step, as everywhere.",
         source: "equilibrium of Coulomb–Signorini contact, see rest/drift and rest/jitter",
         run: Run::EachStep(at_rest),
         control: Control { passes: "moreau-jean", fails: "fixed/heavy" },

@@ -20,7 +20,7 @@ use moreau_forms::soft_rigid_contact::inverse_mass_at;
 use nalgebra::{Matrix3, Vector3};
 
 const CARRIED: &str = "A body at rest stays at rest, so that the velocity after each step is 0 up to rounding and to the solver. The \
-    solver may leave a part 3.5e-4 of the impulse m g h of each step, as everywhere in the gate. Where a step takes back a part of each \
+    solver may leave a part √2⁻²³ of the impulse m g h of each step, as everywhere in the gate. Where a step takes back a part of each \
     depth by declaration, contacts open when nothing is left of it, fall for a step and are pushed out by no more than they fell: at 3/2 \
     g h at most; a box tips by that depth over its width each time.";
 

@@ -59,7 +59,7 @@ pub const CHECKS: &[Check] = &[
         name: "round/standing",
         level: Level::Simulate,
         question: "Does a cylinder that stands on its face stay where it is, still and upright?",
-        derivation: "A body at rest stays at rest: velocities are 0 up to rounding and to the solver, which may leave a part 3.5e-4 of the \
+        derivation: "A body at rest stays at rest: velocities are 0 up to rounding and to the solver, which may leave a part √2⁻²³ of the \
             impulse m g h of each step, as everywhere in the gate; so is what it turns by. Which points of the rim carry it is open: \
             where a compliant law would rest is not predicted. Points whose depth is taken back by declaration open, fall for a step and \
             are pushed out, as in rest/drift and rest/jitter.",

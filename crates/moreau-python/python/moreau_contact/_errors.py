@@ -1,6 +1,8 @@
 """The exceptions of this package; every message says what is wrong and what cures it."""
 from __future__ import annotations
 
+import sys
+import warnings
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -88,3 +90,11 @@ def solution_again(text: str, problem: _native.Problem, tolerance: float) -> _na
     from . import _native  # it imports this module
 
     return _native.Solution.from_json(text, problem, tolerance=tolerance)
+
+
+def warn_of(text: str) -> None:
+    """Warns of an unusual operator, at the line of the caller outside of this package."""
+    depth, frame = 2, sys._getframe(1)
+    while frame.f_back is not None and str(frame.f_globals.get("__name__")).partition(".")[0] == __package__:
+        depth, frame = depth + 1, frame.f_back
+    warnings.warn(text, UnusualOperator, stacklevel=depth)

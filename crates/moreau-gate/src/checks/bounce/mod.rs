@@ -27,7 +27,7 @@ pub const CHECKS: &[Check] = &[
         question: "Does a box that lands flat, with e = 1/2 at each corner, go back at half its speed without spin?",
         derivation: "Newton's law at every corner, u⁺ = −e u, has one solution for the motion: v⁺ = −e v, ω⁺ = 0, however the impulse is \
             distributed over the corners and whichever of them are reported. There is no gravity, so that v⁺ does not depend on h. A \
-            solver may leave a part 3.5e-4 of the impulse (1 + e) m v, at most at the lever of a corner.",
+            solver may leave a part √2⁻²³ of the impulse (1 + e) m v, at most at the lever of a corner.",
         source: "Newton's law; Moreau's impact law of several contacts",
         run: Run::EachStep(landing::flat),
         control: Control { passes: "moreau-jean", fails: "bounce/first-contact-only" },

@@ -21,7 +21,7 @@ pub const CHECKS: &[Check] = &[
         level: Level::Simulate,
         question: "Does a box rest on a 20° slope with μ = 0.5, or does it creep?",
         derivation: "tan 20° = 0.364 < μ, so that Coulomb's box does not move. Creep is the displacement over the second half of 1 s. A \
-            solver that leaves √ε of single precision of a step's impulse creeps with 3.5e-4 g sin α h. These laws creep: MuJoCo with m \
+            solver that leaves √ε of single precision of a step's impulse creeps with √2⁻²³ g sin α h. These laws creep: MuJoCo with m \
             g sin α/(b Σ 1/R_t), independent of h, and its pyramid with the root of Σ μ(f⁺ − f⁻) = m g sin α; SAP with σ h m g sin α/Σ \
             1/w_i; Similar and Lagged with v_s s, s/√(1 + s²) = tan α/μ; TAMSI with s (2 − s) = tan α/μ. The corners carry the loads ¼ m \
             g (cos α ± (c/a) sin α).",

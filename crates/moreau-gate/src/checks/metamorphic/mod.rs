@@ -28,7 +28,7 @@ use transform::Transform;
 
 /// Where the allowances come from, for every check of the family.
 const SOLVED: &str = "The exact motions correspond. A covariant scheme repeats the same arithmetic up to rounding. Its solver leaves at \
-    most a part 3.5e-4 of every change of velocity, and these changes add up to 2 (speed + g T). The errors do not grow from step to \
+    most a part √2⁻²³ of every change of velocity, and these changes add up to 2 (speed + g T). The errors do not grow from step to \
     step. A contact whose depth is taken back by declaration opens in one motion and not in the other when less than that is left of the \
     depth: both move at up to 3/2 g h then, level by level.";
 

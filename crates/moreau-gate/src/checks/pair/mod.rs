@@ -139,7 +139,7 @@ pub const CHECKS: &[Check] = &[
         derivation: "Without friction and with the centres on the line of impact nobody turns: m v + M V stays and v⁺ − V⁺ = −e (v − \
             V), for one point of contact or many. Every pair of shapes meets with e = 0.3 and e = 1 at 2.5 m/s and with e = 1 at 0.125 \
             m/s, along no axis of the world. A step carries the centre of a ball of 8 mm into the box. Ball on a box on the floor: e \
-            |u|, up to (1 + e) m/M = 5e-5, whether both impacts are solved together or one after the other. Laws without e are asked \
+            |u|, up to (1 + e) m/M, whether both impacts are solved together or one after the other. Laws without e are asked \
             for e = 0: rigid ones return nothing, compliant ones what their replayed map returns, or between 0 and 1 where no map is \
             known. A declared spring and damper is not asked for bodies too light for its own steps, n τ c/m̄ ≥ 1 or n τ² k/m̄ ≥ 1 with \
             n = 8 points between two faces.",
