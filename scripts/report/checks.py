@@ -12,6 +12,8 @@ PRINTED_PAGES = 2
 TAP = 44
 # What stands in a line of text may be lower.
 TAPPED = ".top a, button, select, input, summary, .cards a, .list a, .links a, .bars a, .neighbours a, .claims > li > a"
+# The borders are written as doubles are: this is far above their rounding and far below what an eye sees.
+WEDGE = 1e-9
 WORDS = ("zeno", "copositive", "stewart-trinkle", "painleve", "drake energy", "no-such-word", "共正", "摩擦锥")
 
 
@@ -82,6 +84,39 @@ def accessible(browser: Browser, folder: pathlib.Path, pages: Iterable[pathlib.P
                 page.evaluate(axe)
                 found = page.evaluate(FOUND, {**options, "resultTypes": ["violations", "incomplete"]})
                 wrong += [f"{path.relative_to(folder)}, {scheme}: {rule} ({count}): {where}" for rule, count, where in found]
+    return wrong
+
+
+# Of every panel: how far the borders of K and K* lie beside the axis for each unit along it.
+WEDGES = """[...document.querySelectorAll('#explorer svg[id$="-cone"]')].map(svg => ['cone', 'dual'].map(kind => {
+    const wedge = svg.querySelector(`polygon.${kind}`);
+    if (!wedge) return null;
+    const [[x, y], [a, b]] = wedge.getAttribute('points').split(' ').map(one => one.split(',').map(Number));
+    return Math.abs((a - x) / (b - y));
+}))"""
+
+
+def explored(browser: Browser, folder: pathlib.Path, explorers: Iterable[pathlib.Path]) -> list[str]:
+    """Every scene of the explorer: its runs are there, K is {|r_t| <= mu r_n}, and K* is its dual."""
+    wrong = []
+    for path in explorers:
+        with browser.page() as page:
+            page.goto(path.as_uri())
+            page.wait_for_selector("#explorer[data-ready]")
+            for scene in page.evaluate("[...document.getElementById('explorer-scene').options].map(one => one.value)"):
+                before = page.get_attribute("#explorer", "data-ready")
+                page.select_option("#explorer-scene", scene)
+                try:
+                    page.wait_for_function("before => document.getElementById('explorer').dataset.ready !== before", arg=before, timeout=10_000)
+                except Exception as error:  # the driver's own, whose name depends on its version
+                    wrong.append(f"{path.relative_to(folder)}: {scene} does not come: {str(error).splitlines()[0]}")
+                    continue
+                mu = float(page.input_value("#explorer-friction"))
+                wedges = page.evaluate(WEDGES)
+                right = [cone is not None and abs(cone - mu) <= WEDGE * max(mu, 1) and (mu == 0 or abs(dual * mu - 1) <= WEDGE) for cone, dual in wedges]
+                if not right or not all(right):
+                    wrong.append(f"{path.relative_to(folder)}: {scene}, friction {mu}: the borders of K and K* are {wedges}")
+            wrong += [f"{path.relative_to(folder)}: {what}" for what in page.wrong]
     return wrong
 
 
@@ -176,6 +211,7 @@ def look(browser: Browser, folder: pathlib.Path, axe: str) -> list[str]:
         ("errors", lambda: errors(browser, folder, every)),
         ("shapes", lambda: shapes(browser, folder, every)),
         ("filters", lambda: filters(browser, folder, of("claims.html"))),
+        ("explored", lambda: explored(browser, folder, of("explorer.html"))),
         ("keyboard", lambda: keyboard(browser, folder, of("claims.html"))),
         ("printed", lambda: printed(browser, folder, of("summary.html"))),
         ("axe", lambda: accessible(browser, folder, every, axe)),

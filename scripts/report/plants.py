@@ -60,6 +60,8 @@ def look(browser: Browser, folder: pathlib.Path, axe: str, room: pathlib.Path) -
         ("a picture without words", inserted("index.html", '<img src="data:image/gif;base64,R0lGODlhAQABAAAAACw=">'), lambda copy: checks.accessible(browser, copy, front(copy), axe)),
         ("pale letters in the dark", inserted("index.html", "<style>@media(prefers-color-scheme:dark){p{color:#333}}</style>"), lambda copy: checks.accessible(browser, copy, front(copy), axe)),
         ("a certificate that cannot be read", inserted("explorer.html", "<style>.explorer .pass{background:#0b6b3a!important;color:#0b6b3a!important}</style>"), lambda copy: checks.accessible(browser, copy, [copy / "explorer.html"], axe)),
+        ("K and K* exchanged", changed("explorer/draw.js", 'wedge(1, mu, "dual"), wedge(mu, 1, "cone")', 'wedge(1, mu, "cone"), wedge(mu, 1, "dual")'), lambda copy: checks.explored(browser, copy, [copy / "explorer.html"])),
+        ("a scene without its runs", lambda copy: (copy / "explorer" / "stack.js").unlink(), lambda copy: checks.explored(browser, copy, [copy / "explorer.html"])),
         ("a filter that keys do not reach", changed("claims.html", '<select name="kind"', '<select tabindex="-1" name="kind"'), lambda copy: checks.keyboard(browser, copy, lists(copy))),
         ("a focus that is not seen", changed("style.css", "outline:3px solid", "outline:0 none"), lambda copy: checks.keyboard(browser, copy, lists(copy))),
         ("a summary of three pages", inserted("summary.html", "<p>more</p>" * 200), lambda copy: checks.printed(browser, copy, [copy / "summary.html"])),

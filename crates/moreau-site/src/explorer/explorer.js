@@ -44,6 +44,9 @@
   const write = () => {
     const parts = Object.entries(NAMES).map(([name, id]) => `${name}=${$(id).value}`);
     history.replaceState(null, "", `#${[...parts, `k=${state.sample}`].join("&")}`);
+    // the page in the other language opens with the same choice
+    const twin = document.querySelector("a.language");
+    if (twin) twin.href = twin.getAttribute("href").split("#")[0] + location.hash;
   };
   const read = () => {
     const asked = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));

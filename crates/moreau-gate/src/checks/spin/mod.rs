@@ -64,8 +64,9 @@ pub const CHECKS: &[Check] = &[
             turns, whatever h. So growth beyond the swing fails, and a loss beyond that of implicit steps. A step turns the box by 0.1 \
             rad at most. At 0.003 s, a step of the whole sweep, an engine that passes is asked for a hundred and a thousand turns with \
             0.05 rad in a step, of a box whose moments are given; hω alone decides the motion. Explicit steps add 0.032 of the energy and \
-            0.022 of ‖L‖ in a turn; the swing, 0.049 and 0.003, does not add up, so that a growth by one swing over the thousand turns fails. Implicit steps lose 0.52 of the energy and 0.46 of ‖L‖ and end in a spin about the axis of the smallest moment: \
-            more than they lose fails. Where damping of spins is declared, ten turns are all.",
+            0.022 of ‖L‖ in a turn; the swing, 0.049 and 0.003, does not add up, so that a growth by one swing over the thousand turns \
+            fails. Implicit steps lose 0.52 of the energy and 0.46 of ‖L‖ and end in a spin about the axis of the smallest moment: more \
+            than they lose fails. Where damping of spins is declared, ten turns are all.",
         source: "Hairer, Lubich, Wanner, Geometric Numerical Integration, §VII.5, §IX.8",
         run: Run::EachStep(gyroscopic::gyroscopic),
         control: Control { passes: "moreau-jean", fails: "spin/explicit-gyroscopic-torque" },
