@@ -49,7 +49,10 @@ impl Target {
             Ok(_) => stranger(&target.folder)?.map(|file| format!("which holds {file}, and that is not of a report")),
         };
         if let Some(problem) = problem {
-            return refused(format!("is {}, {problem}", folder.display()), "name a new or an empty folder, or one with a report; or take that away");
+            return refused(
+                format!("is {}, {problem}", folder.display()),
+                "name a new or an empty folder, or one with a report; or take that away",
+            );
         }
         // what cannot be written is known before anything is computed
         let new = target.beside("new");
