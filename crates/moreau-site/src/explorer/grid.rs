@@ -62,14 +62,14 @@ pub const SCHEMES: [SchemeEntry; 5] = [
     SchemeEntry {
         id: "moreau-jean",
         name: Words { en: "Moreau–Jean", zh: "Moreau–Jean" },
-        law: Words { en: "Coulomb’s law, with restitution", zh: "库仑定律，含恢复系数" },
+        law: Words { en: "Coulomb’s law, with restitution", zh: "Coulomb 定律，含恢复系数" },
         theta: &[0.5, 0.75, 1.0],
         options: &[],
     },
     SchemeEntry {
         id: "stewart-trinkle",
         name: Words { en: "Stewart–Trinkle", zh: "Stewart–Trinkle" },
-        law: Words { en: "Coulomb’s law over a polyhedral cone", zh: "多面体锥上的库仑定律" },
+        law: Words { en: "Coulomb’s law over a polyhedral cone", zh: "多面体锥上的 Coulomb 定律" },
         theta: &[],
         options: &[],
     },
@@ -112,7 +112,7 @@ pub const SCENES: [SceneEntry; 5] = [
         about: Words {
             en: "A block of 1 kg lies on a slope of 20°; tan 20° = 0.364 divides sliding from sticking. By Coulomb’s law its speed is \
                  max(0, sin 20° − μ cos 20°) g t. Nothing arrives, so that e does not act.",
-            zh: "1 kg 的物块放在 20° 的斜面上；tan 20° = 0.364 是滑动与粘着的分界。按库仑定律，其速度为 max(0, sin 20° − μ cos 20°) g t。没有碰撞，因此 e 不起作用。",
+            zh: "1 kg 的物块放在 20° 的斜面上；tan 20° = 0.364 是滑动与粘滞的分界。按 Coulomb 定律，其速度为 max(0, sin 20° − μ cos 20°) g t。没有碰撞，因此 e 不起作用。",
         },
         friction: &[0.1, 0.3, 0.36, 0.5],
         restitution: &[0.0],

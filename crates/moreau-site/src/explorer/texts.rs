@@ -62,7 +62,7 @@ pub(super) const INTRODUCTION: Words = Words {
     en: "The same scene through four schemes: Coulomb’s law, Anitescu’s convex step, SAP and MuJoCo’s law. The last two are \
          our replicas of the engines’ steps. Every run was computed when this report was built, by the library of the command; \
          the command under each panel makes its numbers again.",
-    zh: "同一场景由四种格式计算：库仑定律、Anitescu 的凸步、SAP 与 MuJoCo 的定律；后两者是我们对引擎步的复刻。所有结果在生成本报告时由命令的程序库算出；\
+    zh: "同一场景由四种格式计算：Coulomb 定律、Anitescu 的凸步、SAP 与 MuJoCo 的定律；后两者是我们对引擎步的复刻。所有结果在生成本报告时由命令的程序库算出；\
          每个面板下方的命令可重新得到其数值。",
 };
 pub(super) const NO_SCRIPT: Words = Words {
@@ -71,7 +71,7 @@ pub(super) const NO_SCRIPT: Words = Words {
 };
 pub(super) const CHOICE: Words = Words { en: "Scene, scheme and parameters", zh: "场景、格式与参数" };
 pub(super) const SCENE: Words = Words { en: "scene", zh: "场景" };
-pub(super) const SCHEME: Words = Words { en: "Coulomb’s law by", zh: "库仑定律的格式" };
+pub(super) const SCHEME: Words = Words { en: "Coulomb’s law by", zh: "Coulomb 定律的格式" };
 pub(super) const THETA: Words = Words { en: "θ [1]", zh: "θ [1]" };
 pub(super) const RESTITUTION: Words = Words { en: "restitution e [1]", zh: "恢复系数 e [1]" };
 pub(super) const FRICTION: Words = Words { en: "friction μ [1]", zh: "摩擦系数 μ [1]" };
@@ -105,7 +105,7 @@ pub(super) const NOTES: [Words; 5] = [
         en: "ŷ is y + μ‖y_t‖n for Coulomb’s law, with the restitution in y, and for an associated law the velocity that the \
              scheme relates to r, with its shift and its compliance. Anitescu, SAP and MuJoCo lift a sliding contact for that \
              reason.",
-        zh: "库仑定律的 ŷ 是 y + μ‖y_t‖n（y 含恢复系数）；关联定律的 ŷ 是格式与 r 相联系的速度，含其移位与柔度。Anitescu、SAP 与 MuJoCo 因此会把滑动的接触抬起。",
+        zh: "Coulomb 定律的 ŷ 是 y + μ‖y_t‖n（y 含恢复系数）；关联定律的 ŷ 是格式与 r 相联系的速度，含其移位与柔度。Anitescu、SAP 与 MuJoCo 因此会把滑动的接触抬起。",
     },
     Words {
         en: "The natural map is ‖r − P_K(r − ρŷ)‖ over all contacts [N·s]; a zero stands on the lowest line. It is shown for \

@@ -37,7 +37,7 @@ const SYSTEMS: Words = Words {
 };
 const BOARD: Words = Words {
     en: "{0} configurations of engines in {1} checks: {2} answers as Coulomb’s law demands, {3} differ as declared, {4} fail or err",
-    zh: "{0} 种引擎配置，{1} 项检查：{2} 项符合库仑定律，{3} 项按其声明的模型有差异，{4} 项失败或出错",
+    zh: "{0} 种引擎配置，{1} 项检查：{2} 项符合 Coulomb 定律，{3} 项按其声明的模型有差异，{4} 项失败或出错",
 };
 const DEFECTS: Words = Words {
     en: "{0} planted mistakes that the checks must catch; {1} are caught by checks that ran for this report, {2} by checks of the gate",

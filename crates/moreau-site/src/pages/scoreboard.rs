@@ -96,7 +96,7 @@ fn mark(verdict: Verdict) -> &'static str {
 
 fn meaning(verdict: Verdict) -> Words {
     match verdict {
-        Verdict::Pass => Words { en: "as Coulomb–Signorini demands", zh: "符合库仑–Signorini 定律" },
+        Verdict::Pass => Words { en: "as Coulomb–Signorini demands", zh: "符合 Coulomb–Signorini 定律" },
         Verdict::Difference => {
             Words { en: "different, as the engine’s declared law predicts", zh: "有差异，与引擎声明的定律一致" }
         }

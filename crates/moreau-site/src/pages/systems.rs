@@ -97,7 +97,7 @@ fn cone(cone: Cone) -> Words {
 
 fn law(law: ContactLaw) -> Words {
     match law {
-        ContactLaw::Coulomb => Words { en: "Coulomb", zh: "库仑" },
+        ContactLaw::Coulomb => Words { en: "Coulomb", zh: "Coulomb" },
         ContactLaw::Associated => Words { en: "associated (convex)", zh: "关联（凸）" },
         ContactLaw::Compliant => Words { en: "compliant", zh: "柔顺" },
         ContactLaw::None => NONE,

@@ -23,7 +23,7 @@ pub(super) const PROJECTION: Picture = Picture {
             below r_n = −μ|r_t|, everything goes to the apex (open); from elsewhere an impulse goes perpendicularly to the border (slip)\
             . A negative normal impulse alone does not open the contact. What the projection removes lies in the polar cone and is \
             perpendicular to what remains.",
-        zh: "横轴切向冲量，纵轴法向冲量，μ = 0.6。锥内的点不动（粘着）；极锥（r_n ≤ −μ|r_t|）内的点投到锥顶（分离）；其余的点垂直投到锥面（滑动）。法向冲量为负并不足以判定分离。被投影去掉的部分位于极锥内，且与保留的部分正交。",
+        zh: "横轴切向冲量，纵轴法向冲量，μ = 0.6。锥内的点不动（粘滞）；极锥（r_n ≤ −μ|r_t|）内的点投到锥顶（分离）；其余的点垂直投到锥面（滑动）。法向冲量为负并不足以判定分离。被投影去掉的部分位于极锥内，且与保留的部分正交。",
     },
     obtained: Words {
         en: "Points projected by `cones::second_order::project`, which all solvers use.",
@@ -38,7 +38,7 @@ pub(super) const DE_SAXCE: Picture = Picture {
     id: "de-saxce-correction",
     question: Words {
         en: "How does Coulomb's law become a complementarity of dual cones?",
-        zh: "库仑摩擦定律如何化为对偶锥之间的互补关系？",
+        zh: "Coulomb 摩擦定律如何化为对偶锥之间的互补关系？",
     },
     caption: Words {
         en: "Velocities of a contact that slides have u_n = 0 and lie below the dual cone K*. Adding μ‖u_t‖ to the normal \

@@ -28,7 +28,7 @@ pub(super) const GLIDING: Picture = Picture {
         en: "A block slides down a slope of 20° with μ = 0.3 under Anitescu's convex scheme. It does not touch the slope: it \
             floats at the height φ = μ h v_t, which grows with its speed and vanishes with the step. Grey is that height for the exact \
             speed. A block that sticks shows nothing of this: the hard relaxation has no creep.",
-        zh: "物块沿 20° 斜面下滑，μ = 0.3，采用 Anitescu 凸格式。物块并不贴着斜面，而是悬浮在间隙 φ = μ h v_t 处：间隙随速度增大，随步长趋于零。灰线是由精确速度算出的该间隙。粘着的物块则没有这种误差：\
+        zh: "物块沿 20° 斜面下滑，μ = 0.3，采用 Anitescu 凸格式。物块并不贴着斜面，而是悬浮在间隙 φ = μ h v_t 处：间隙随速度增大，随步长趋于零。灰线是由精确速度算出的该间隙。粘滞的物块则没有这种误差：\
             硬接触的凸松弛不产生蠕滑。",
     },
     obtained: Words {
@@ -43,7 +43,7 @@ pub(super) const GLIDING: Picture = Picture {
 pub(super) const CREEP: Picture = Picture {
     id: "creep-over-step",
     question: Words {
-        en: "Whose block creeps down a slope where it should stick?", zh: "本应粘着的物块，在哪些引擎里会缓慢下滑？"
+        en: "Whose block creeps down a slope where it should stick?", zh: "本应粘滞的物块，在哪些引擎里会缓慢下滑？"
     },
     caption: Words {
         en: "A block of 1 kg on a slope of 20° with μ = 0.5 > tan 20°. Grey lines are the engines' own models, marks are our \
@@ -53,7 +53,7 @@ pub(super) const CREEP: Picture = Picture {
             logarithmic axis.",
         zh: "质量 1 kg 的物块置于 20° 斜面，μ = 0.5 > tan 20°。灰线为各引擎自身模型的闭式解，标记为我们复现的引擎步进。Drake 的 SAP 蠕滑速度与步长成正比；MuJoCo 的椭圆锥与 Drake \
             的正则化摩擦以固定速度蠕滑，减小步长无济于事；增大 `impratio` 可减小 MuJoCo 的蠕滑，而 h 超过 10 ms 时其时间常数取两步之长，接触随之变软。Moreau–Jean、Stewart–Trinkle 与 Anitescu \
-            精确粘着，在对数坐标上无处可画。",
+            精确粘滞，在对数坐标上无处可画。",
     },
     obtained: Words {
         en: "One second with each replica on one contact, its last speed; lines by `drake_sap`, `mujoco_contact` and \

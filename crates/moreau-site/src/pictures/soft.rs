@@ -16,7 +16,7 @@ pub(super) const GRAPHS: Picture = Picture {
     id: "filled-in-graphs",
     question: Words {
         en: "What does softening do to the laws of Signorini and Coulomb?",
-        zh: "软化（正则化）把 Signorini 与库仑定律变成了什么？",
+        zh: "软化（正则化）把 Signorini 与 Coulomb 定律变成了什么？",
     },
     caption: Words {
         en: "Both laws are graphs with vertical pieces, drawn grey: at φ = 0 every force ≥ 0 is possible, at slip 0 every \
