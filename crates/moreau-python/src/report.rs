@@ -151,6 +151,19 @@ impl Report {
         write_together(&files).python(py)
     }
 
+    /// This report, told what the probes before another one found wrong with the adapter.
+    fn with_adapter_of(&self, other: &Report) -> Report {
+        let report = gate::Report { adapter: other.report.adapter.clone(), ..self.report.clone() };
+        Report { report, changes: self.changes.clone(), times: self.times.clone(), motion: self.motion.clone() }
+    }
+
+    /// What is wrong with the adapter and may explain why a check is bad: dicts of the probe, what the protocol demands, why, cure.
+    fn explaining<'py>(&self, py: Python<'py>, check: &str) -> PyResult<Bound<'py, PyAny>> {
+        let outcome = self.report.checks.iter().find(|outcome| outcome.check == check);
+        let probes: Vec<_> = outcome.into_iter().flat_map(|outcome| self.report.explaining(outcome)).collect();
+        loads(py, pretty(&probes))
+    }
+
     /// A picture of the motion that an engine of this process answered last; none where there is none.
     fn motion_svg(&self, py: Python<'_>) -> PyResult<Option<String>> {
         self.motion.as_ref().map(picture).transpose().python(py)

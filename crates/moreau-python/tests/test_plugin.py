@@ -35,6 +35,29 @@ def test_a_mistake_fails_with_what_was_expected_measured_derived_and_drawn(proje
     assert "ball/restitution@1/240" in (pytester.path / "out.xml").read_text()
 
 
+def test_an_adapter_that_reports_a_step_late_is_named_beside_the_failures_that_it_explains(project, pytester):
+    pytester.path.joinpath("conftest.py").write_text(
+        "import pytest\nfrom toy_engine import Toy\n"
+        "class Late(Toy):\n    def simulate(self, *question):\n        motion = super().simulate(*question)\n"
+        "        (track,) = motion['bodies']\n        track['position'] = [*track['position'][1:], track['position'][-1]]\n        return motion\n"
+        "@pytest.fixture(scope='session')\ndef moreau_engine():\n    return Late\n")
+    words = ("--moreau-only", "flight/", "--moreau-steps", "1/60,1/240")
+    for way in ((), ("--moreau-isolate",)):
+        result = project(*words, *way)
+        assert result.ret == 1
+        told = [line for line in result.outlines if line.startswith("E") or line.startswith("adapter, ")]
+        failures = [line for line in result.outlines if line.endswith("fail)") and "flight/" in line and not line.startswith("FAILED")]
+        named = [line for line in told if "adapter, simulate/initial-state: " in line]
+        assert len(named) == len(failures) > 1, result.outlines
+
+
+def test_an_adapter_without_a_mistake_is_not_blamed(project, monkeypatch):
+    monkeypatch.setenv("TOY_BUG", "1")
+    result = project("--moreau-only", "ball/restitution", "--moreau-steps", "1/240")
+    result.assert_outcomes(failed=1)
+    assert not any("adapter" in line for line in result.outlines)
+
+
 def test_what_the_engine_cannot_express_is_skipped(project):
     project("--moreau-only", "incline/stick", "--moreau-steps", "1/60").assert_outcomes(skipped=2)
 

@@ -161,9 +161,12 @@ def _words(given: str | Sequence[str]) -> list[str]:
     return [given] if isinstance(given, str) else list(given)
 
 
-def gate_one(engine: Any, name: str, steps: Sequence[float], options: Mapping[str, Any], repeats: int, limit: float | None) -> _native.Report:
-    """One check, without the probes of the adapter: what the pytest plugin measures test by test; in a child where there is a limit."""
+def gate_one(
+    engine: Any, name: str, steps: Sequence[float], options: Mapping[str, Any], repeats: int, limit: float | None, probes: bool
+) -> _native.Report:
+    """One check, what the pytest plugin measures test by test, before it the probes of the adapter if they are wanted; in a child
+    where there is a limit."""
     command: list[str] = []
     if limit is not None:
         command, engine = _engine.command(engine), None
-    return _native.gate(engine, command, [name], list(steps), _engine.text_of(_options(options)), 1, repeats, limit or 60.0, limit or 60.0, False)
+    return _native.gate(engine, command, [name], list(steps), _engine.text_of(_options(options)), 1, repeats, limit or 60.0, limit or 60.0, probes)

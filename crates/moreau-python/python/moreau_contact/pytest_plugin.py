@@ -9,6 +9,9 @@
     def test_physics(moreau_check):
         moreau_check()
 
+Before the first one the probes of `moreau protocol-check` look at what the engine reports; tests that fail and that a probe may explain
+say so.
+
 `pytest --moreau-only ball/ --moreau-steps 1/60,1/240` chooses; `-m moreau_ball` chooses by family; `--moreau-baseline FILE`
 holds every measurement against a stored run, which `--moreau-save-baseline FILE` makes. What the engine cannot express is skipped.
 """
@@ -53,6 +56,7 @@ def pytest_configure(config: pytest.Config) -> None:
     for family in sorted({check["family"] for check in _gate.checks()}):
         config.addinivalue_line("markers", f"moreau_{_word(family)}: checks {family}/… of a contact simulator")
     config.stash[_PARTS] = []
+    config.stash[_PROBED] = None
     if config.getoption("moreau_save_baseline") and (hasattr(config, "workerinput") or getattr(config.option, "numprocesses", None)):
         raise pytest.UsageError("--moreau-save-baseline: the workers of pytest-xdist would store a part each; leave out -n")
     try:
@@ -64,6 +68,8 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 _PARTS: pytest.StashKey[list[_native.Report]] = pytest.StashKey()
+#: The report before which the adapter was probed.
+_PROBED: pytest.StashKey[_native.Report | None] = pytest.StashKey()
 
 
 @pytest.fixture(scope="session")
@@ -106,7 +112,11 @@ def _measured(config: pytest.Config, engine: Any, check: dict[str, Any], step: f
     repeats = config.getoption("moreau_repeats") or (3 if config.getoption("moreau_save_baseline") else 1)
     steps = [step] if step is not None else _gate.sweep(_steps(config))
     limit = config.getoption("moreau_time_limit") if config.getoption("moreau_isolate") else None
-    return _gate.gate_one(engine, check["check"], steps, options, repeats, limit)
+    probed = config.stash[_PROBED]
+    report = _gate.gate_one(engine, check["check"], steps, options, repeats, limit, probed is None)
+    if probed is None:
+        config.stash[_PROBED] = probed = report
+    return report.with_adapter_of(probed)
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
@@ -159,7 +169,7 @@ def _told(config: pytest.Config, name: str, check: dict[str, Any], step: float |
         unit = "" if measured["unit"] == "1" else f" {measured['unit']}"
         mark = " " if _holds(measured) else "✗"
         lines.append(f"{mark} {measured['quantity']}: measured {measured['value']:.6g}{unit}, expected {_expected(measured, unit)}")
-    lines += [f"adapter: {probe.get('finding', probe)}" for probe in report.adapter]
+    lines += [f"adapter, {probe['probe']}: {probe['why']}; {probe['cure']}" for probe in report.explaining(check["check"])]
     lines.append(f"derivation: {check['derivation']}")
     picture = report.motion_svg()
     if picture is not None:
