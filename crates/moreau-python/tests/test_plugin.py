@@ -35,27 +35,25 @@ def test_a_mistake_fails_with_what_was_expected_measured_derived_and_drawn(proje
     assert "ball/restitution@1/240" in (pytester.path / "out.xml").read_text()
 
 
-def test_an_adapter_that_reports_a_step_late_is_named_beside_the_failures_that_it_explains(project, pytester):
+@pytest.mark.parametrize("way", [(), ("--moreau-isolate",)])
+def test_a_mistake_that_the_probes_see_is_named_beside_every_failure_that_it_explains(project, monkeypatch, way):
+    monkeypatch.setenv("TOY_BUG", "1")
+    result = project("--moreau-only", "ball/restitution", "--moreau-steps", "1/60,1/240", *way)
+    result.assert_outcomes(failed=2)
+    named = [line for line in result.outlines if line.startswith("adapter, simulate/restitution: ") and "; use the scene's pair value" in line]
+    assert len(named) == 2, result.outlines
+
+
+def test_an_adapter_is_not_blamed_for_what_no_probe_sees(project, pytester):
     pytester.path.joinpath("conftest.py").write_text(
         "import pytest\nfrom toy_engine import Toy\n"
-        "class Late(Toy):\n    def simulate(self, *question):\n        motion = super().simulate(*question)\n"
-        "        (track,) = motion['bodies']\n        track['position'] = [*track['position'][1:], track['position'][-1]]\n        return motion\n"
-        "@pytest.fixture(scope='session')\ndef moreau_engine():\n    return Late\n")
-    words = ("--moreau-only", "flight/", "--moreau-steps", "1/60,1/240")
-    for way in ((), ("--moreau-isolate",)):
-        result = project(*words, *way)
-        assert result.ret == 1
-        told = [line for line in result.outlines if line.startswith("E") or line.startswith("adapter, ")]
-        failures = [line for line in result.outlines if line.endswith("fail)") and "flight/" in line and not line.startswith("FAILED")]
-        named = [line for line in told if "adapter, simulate/initial-state: " in line]
-        assert len(named) == len(failures) > 1, result.outlines
-
-
-def test_an_adapter_without_a_mistake_is_not_blamed(project, monkeypatch):
-    monkeypatch.setenv("TOY_BUG", "1")
-    result = project("--moreau-only", "ball/restitution", "--moreau-steps", "1/240")
-    result.assert_outcomes(failed=1)
-    assert not any("adapter" in line for line in result.outlines)
+        "class Windy(Toy):\n    def simulate(self, *question):\n        motion = super().simulate(*question)\n"
+        "        (track,) = motion['bodies']\n"
+        "        track['linear_velocity'][-1] = track['linear_velocity'][-1] * [1.1, 1, 1]\n        return motion\n"
+        "@pytest.fixture(scope='session')\ndef moreau_engine():\n    return Windy\n")
+    result = project("--moreau-only", "flight/projectile", "--moreau-steps", "1/60,1/240")
+    result.assert_outcomes(failed=2)
+    assert not any(line.startswith("adapter, ") for line in result.outlines), result.outlines
 
 
 def test_what_the_engine_cannot_express_is_skipped(project):
