@@ -26,8 +26,7 @@ fn as_far(motion: &Motion) -> Result<&Trajectory, ProbeOutcome> {
 }
 
 pub(super) fn probe_all(engine: &mut dyn Engine, description: &Description, probes: &mut Vec<Probe>) {
-    let scene = thrown_ball();
-    let thrown = simulate(engine, description, &scene, 1);
+    let (scene, thrown) = thrown(engine, description);
     probes.push(probe("simulate/answers", "a sound trajectory/1 is the result", thrown.as_ref().map(drop).map_err(Clone::clone)));
     if matches!(thrown, Err(ProbeOutcome::Problem { .. })) {
         // the other motions would have it as well
@@ -37,9 +36,9 @@ pub(super) fn probe_all(engine: &mut dyn Engine, description: &Description, prob
         probe_samples(engine, description, &scene, &thrown, probes);
         probes.push(probe("simulate/unknown-option", "an unknown option is an `error`", unknown_option(engine, &scene)));
     }
-    let scene = tumbling_brick();
-    let brick = simulate(engine, description, &scene, 1);
-    let start = brick.as_ref().map_err(Clone::clone).and_then(|brick| initial_state(brick, &scene, description));
+    let tumbling = tumbling_brick();
+    let brick = simulate(engine, description, &tumbling, 1);
+    let start = brick.as_ref().map_err(Clone::clone).and_then(|brick| initial_state(brick, &tumbling, description));
     probes.push(probe("simulate/orientation", "orientations are unit quaternions w, x, y, z from body to world, as in the scene", start));
     let frame = as_far(&brick).and_then(rotation::frame);
     probes.push(probe("simulate/angular-velocity", "angular velocities are in the world frame, given and reported", frame));
@@ -54,8 +53,21 @@ pub(super) fn probe_all(engine: &mut dyn Engine, description: &Description, prob
         "declared static bodies stay where they are, and declared prescribed ones keep their velocity, whatever touches them",
         unmoved::stay_or_move_as_prescribed(engine, description),
     ));
-    let again = as_far(&thrown).and_then(|thrown| same_again(engine, description, thrown));
+    let again = as_far(&thrown).and_then(|thrown| same_again(engine, description, &scene, thrown));
     probes.push(probe("simulate/same-twice", "the same request gets the same answer, bit by bit, whatever requests come between", again));
+}
+
+/// The motion of a thrown ball; of one without spin where the engine knows none.
+fn thrown(engine: &mut dyn Engine, description: &Description) -> (Scene, Motion) {
+    let spinning = thrown_ball();
+    let motion = simulate(engine, description, &spinning, 1);
+    if !matches!(motion, Err(ProbeOutcome::Skipped { .. })) {
+        return (spinning, motion);
+    }
+    let mut scene = spinning;
+    scene.bodies[0].angular_velocity = [0.0; 3];
+    let motion = simulate(engine, description, &scene, 1);
+    (scene, motion)
 }
 
 fn probe_samples(engine: &mut dyn Engine, description: &Description, scene: &Scene, thrown: &Motion, probes: &mut Vec<Probe>) {
@@ -209,9 +221,9 @@ fn bounced(seen: f64, asked: f64, description: &Description) -> bool {
     (asked - RESTITUTION..=asked.max(pushed) + RESTITUTION).contains(&seen)
 }
 
-fn same_again(engine: &mut dyn Engine, description: &Description, first: &Trajectory) -> Seen {
+fn same_again(engine: &mut dyn Engine, description: &Description, scene: &Scene, first: &Trajectory) -> Seen {
     let cure = "build the engine's world anew for every request, and seed what is random";
-    let second = simulate(engine, description, &thrown_ball(), 1)?;
+    let second = simulate(engine, description, scene, 1)?;
     demand(second == *first, || "the same request, repeated after other scenes, gives another motion".into(), cure)
 }
 
@@ -219,7 +231,43 @@ fn same_again(engine: &mut dyn Engine, description: &Description, first: &Trajec
 mod tests {
     use super::*;
     use crate::description::OneOrMany;
-    use crate::{Parameter, own};
+    use crate::{Parameter, Reply, own};
+
+    /// Moreau–Jean of bodies without spin; it forgets to record the first state where it is told to.
+    struct WithoutSpin {
+        forgets: bool,
+    }
+
+    impl Engine for WithoutSpin {
+        fn describe(&mut self, options: &Options) -> Reply<Description> {
+            own::by_name("moreau-jean").expect("listed").describe(options)
+        }
+
+        fn simulate(&mut self, scene: &Scene, h: f64, every: usize, options: &Options) -> Reply<Trajectory> {
+            if scene.bodies.iter().any(|body| body.angular_velocity != [0.0; 3]) {
+                return Err(Refusal::unsupported("bodies do not turn"));
+            }
+            let mut motion = own::by_name("moreau-jean").expect("listed").simulate(scene, h, every, options)?;
+            if self.forgets {
+                motion.bodies.iter_mut().for_each(|track| track.position.rotate_left(1));
+            }
+            Ok(motion)
+        }
+    }
+
+    #[test]
+    fn an_engine_without_spin_is_looked_at_as_well() {
+        let wrong = |forgets: bool| {
+            let mut probes = Vec::new();
+            let mut engine = WithoutSpin { forgets };
+            let description = engine.describe(&Options::new()).expect("describes itself");
+            probe_all(&mut engine, &description, &mut probes);
+            probes.retain(|probe| matches!(probe.outcome, ProbeOutcome::Problem { .. }));
+            probes.into_iter().map(|probe| probe.probe).collect::<Vec<_>>()
+        };
+        assert_eq!(wrong(false), [""; 0]);
+        assert!(wrong(true).contains(&"simulate/initial-state".to_string()));
+    }
 
     #[test]
     fn a_ball_may_leave_as_fast_as_a_declared_error_reduction_pushes_it_and_no_faster() {
