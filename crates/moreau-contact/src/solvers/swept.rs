@@ -10,7 +10,7 @@ use super::block_sweep::{Surroundings, Sweep, share};
 use super::colours::{Blocks, coloured};
 use super::one_contact::OneContact;
 use super::threads;
-use crate::operator::{BlockRows, MatrixFree};
+use crate::operator::{BlockRows, MatrixFree, passes};
 use crate::problem::{Compliance, ContactProblem, Coordinates};
 use crate::tolerance::sweeps::THREADED;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
@@ -339,6 +339,7 @@ impl<const D: usize, const P: usize> Swept<D> for Bodies<'_, P> {
 
 /// y of every contact, one after the other.
 fn each_contact<const D: usize>(swept: &impl Swept<D>, impulse: &[f64], state: &[f64], law_velocity: &mut [f64]) {
+    passes::note();
     let contacts = law_velocity.as_chunks_mut::<D>().0.iter_mut().zip(impulse.as_chunks::<D>().0).enumerate();
     contacts.for_each(|(k, (y, r))| *y = swept.at(k, r, state));
 }

@@ -154,9 +154,9 @@ fn beginning(sentence: &str) -> String {
     sentence.into()
 }
 
-/// Words of the chapter without the stars of their headings, with its marks of formulas as they are elsewhere.
+/// Words of the chapter without the stars of their headings and of bold words, with its marks of formulas as they are elsewhere.
 fn plain(text: &str) -> String {
-    text.replace(['⭐', '\u{fe0f}'], "").replace("\\(", "$").replace("\\)", "$").trim().into()
+    text.replace(['⭐', '\u{fe0f}'], "").replace("**", "").replace("\\(", "$").replace("\\)", "$").trim().into()
 }
 
 #[cfg(test)]
