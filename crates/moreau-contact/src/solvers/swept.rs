@@ -134,6 +134,7 @@ impl<const D: usize> Swept<D> for Free<'_> {
     }
 
     fn set_state(&self, impulse: &[f64], state: &mut [f64]) {
+        passes::note();
         self.free.write_body_velocity(impulse, state);
     }
 
@@ -289,6 +290,7 @@ impl<const D: usize, const P: usize> Swept<D> for Bodies<'_, P> {
     }
 
     fn set_state(&self, impulse: &[f64], state: &mut [f64]) {
+        passes::note();
         state.fill(0.0);
         let contacts = impulse.as_chunks::<D>().0.iter().enumerate();
         contacts.filter(|(_, r)| r.iter().any(|r| *r != 0.0)).for_each(|(k, r)| self.push(k, r, state));
@@ -339,7 +341,6 @@ impl<const D: usize, const P: usize> Swept<D> for Bodies<'_, P> {
 
 /// y of every contact, one after the other.
 fn each_contact<const D: usize>(swept: &impl Swept<D>, impulse: &[f64], state: &[f64], law_velocity: &mut [f64]) {
-    passes::note();
     let contacts = law_velocity.as_chunks_mut::<D>().0.iter_mut().zip(impulse.as_chunks::<D>().0).enumerate();
     contacts.for_each(|(k, (y, r))| *y = swept.at(k, r, state));
 }

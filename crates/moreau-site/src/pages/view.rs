@@ -116,6 +116,11 @@ impl View<'_> {
     pub fn scrolled(&self, name: &str, table: &Markup) -> Markup {
         html! { div.scroll role="region" aria-label=(name) tabindex="0" { (table) } }
     }
+
+    /// The same for a table that is printed across the paper's longer side.
+    pub fn scrolled_wide(&self, name: &str, table: &Markup) -> Markup {
+        html! { div.scroll.wide role="region" aria-label=(name) tabindex="0" { (table) } }
+    }
 }
 
 /// The folder of the Chinese pages.
