@@ -138,7 +138,8 @@ mod tests {
                 length = end + 4;
             } else if letter == '\\' {
                 return Some("a command outside of a formula".into());
-            } else if let Some(close) = "()（）[]{}「」《》“”".chars().collect::<Vec<_>>().chunks(2).find(|pair| pair[0] == letter) {
+            } else if let Some(close) = "()（）[]{}「」《》“”".chars().collect::<Vec<_>>().chunks(2).find(|pair| pair[0] == letter)
+            {
                 closing.push(close[1]);
             } else if ")）]}」》”".contains(letter) && closing.pop() != Some(letter) {
                 return Some(format!("`{letter}` closes nothing"));
@@ -159,7 +160,16 @@ mod tests {
         for place in PLACES.places.values().flatten() {
             assert_eq!(fault(&place.words), None, "{place}");
         }
-        for cut in ["设 \\(M(q)\\suc", "=\\ell) 的解", "的每个元素(用", "锥内部),滑动时", "满足\"要么", "结果**系统性不同", "短句", &"长".repeat(81)] {
+        for cut in [
+            "设 \\(M(q)\\suc",
+            "=\\ell) 的解",
+            "的每个元素(用",
+            "锥内部),滑动时",
+            "满足\"要么",
+            "结果**系统性不同",
+            "短句",
+            &"长".repeat(81),
+        ] {
             assert!(fault(cut).is_some(), "{cut}");
         }
     }

@@ -89,7 +89,10 @@ impl Target {
         match stranger(&self.folder) {
             Ok(Some(file)) if is_report(&self.folder) => {
                 let path = self.folder.join(&file);
-                format!("take {} away, which some program put into the report, and the report is replaced; or name another folder", path.display())
+                format!(
+                    "take {} away, which some program put into the report, and the report is replaced; or name another folder",
+                    path.display()
+                )
             }
             _ => "name a new or an empty folder, or one with a report; or take that away".into(),
         }

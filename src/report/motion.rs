@@ -71,12 +71,7 @@ impl MotionReport<'_> {
             quantity("effective restitution of the first impact", ratios.and_then(|ratios| ratios.first().copied()), "1"),
             quantity("settling time", settled, "s"),
             // two positions, half of the motion apart
-            rounded(
-                "creep speed at rest",
-                slow.and_then(|slow| self.creep(slow)),
-                "m/s",
-                4.0 * length / self.recording.last().time,
-            ),
+            rounded("creep speed at rest", slow.and_then(|slow| self.creep(slow)), "m/s", 4.0 * length / self.recording.last().time),
             rounded("largest position error", self.exact.map(|exact| self.position_error(exact)), "m", length),
         ]
     }

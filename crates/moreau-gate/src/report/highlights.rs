@@ -154,7 +154,8 @@ impl Highlight {
 
     /// Whether an engine answered at some step.
     fn is_measured(&self, standing: &Standing) -> bool {
-        let steps = standing.report.iter().flat_map(|report| &report.checks).filter(|one| one.check == self.check).flat_map(|one| &one.steps);
+        let steps =
+            standing.report.iter().flat_map(|report| &report.checks).filter(|one| one.check == self.check).flat_map(|one| &one.steps);
         steps.flat_map(|step| &step.measurements).any(|one| one.quantity == self.quantity)
     }
 

@@ -21,7 +21,7 @@ pub(super) const PICTURE: Picture = Picture {
         en: "Each iteration started from zero on every stored problem of the law; an answer counts where the certificate accepts it at 1e-8.",
         zh: "各迭代从零开始求解该定律下的每个已存问题；证书在 1e-8 下接受的答案才计入。",
     },
-    command: "moreau problems export problems && moreau bench problems --solver pgs --solver psor --solver apgd --solver bb",
+    command: "moreau problems export --all problems && moreau bench problems --solver pgs --solver psor --solver apgd --solver bb",
     claims: &["S6.pgs-sublinear", "S5.rates", "R8"],
     draw: |given| sheet(given)?.svg(),
 };
