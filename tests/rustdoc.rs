@@ -84,7 +84,7 @@ fn what_is_not_run_or_asserts_nothing_is_not_counted() {
 }
 
 /// The crates with a page of equations.
-const WITH_EQUATIONS: [&str; 2] = ["moreau-contact", "moreau-dynamics"];
+const WITH_EQUATIONS: [&str; 3] = ["moreau-contact", "moreau-dynamics", "moreau-replicas"];
 
 /// A text with its formulas as MathML: a line that is nothing else stands by itself. rustdoc reads Markdown, in which MathML is taken as it is.
 fn page(source: &str) -> String {
@@ -94,7 +94,12 @@ fn page(source: &str) -> String {
         let alone = line.strip_prefix('$').and_then(|rest| rest.strip_suffix('$')).filter(|rest| !rest.contains('$'));
         match alone {
             // a block of a known element is not read as Markdown
-            Some(tex) => text += &format!("<div>{}</div>", mathml(tex).replacen("display=\"inline\"", "display=\"block\"", 1)),
+            Some(tex) => {
+                text += &format!(
+                    "<div style=\"margin:0.7em 0;overflow-x:auto\">{}</div>",
+                    mathml(tex).replacen("display=\"inline\"", "display=\"block\"", 1)
+                )
+            }
             None => {
                 let parts = line.split('$').enumerate().map(|(k, part)| if k % 2 == 0 { part.into() } else { inline(&mathml(part)) });
                 text.extend(parts.collect::<Vec<String>>());
@@ -138,13 +143,16 @@ fn the_pages_have_the_main_equations() {
         let formulas = source.split('$').skip(1).step_by(2).map(|tex| unicode(&format!("${tex}$")).unwrap_or_else(|_| tex.into()));
         formulas.collect::<Vec<String>>().join("\n").replace(' ', "")
     };
-    let [contact, dynamics] = WITH_EQUATIONS.map(read);
-    for equation in ["W=HM̂⁻¹Hᵀ", "0≤rₙ⟂φ≥0", "‖rₜ‖≤μrₙ", "ŷ=y+μ‖yₜ‖n", "0≤z⟂Mz+q≥0", "η′<η"] {
-        let parts: Vec<&str> = equation.split('<').collect();
-        assert!(parts.iter().all(|part| contact.contains(part)), "{equation} is not in\n{contact}");
+    let [contact, dynamics, replicas] = WITH_EQUATIONS.map(read);
+    for equation in ["W=HM̂⁻¹Hᵀ", "0≤r_n⟂φ≥0", "‖r_t‖≤μr_n", "ŷ=y+μ‖y_t‖n", "r−P_{K_μ}(r−ρ", "0≤z⟂Mz+q≥0", "η<η"]
+    {
+        assert!(contact.contains(equation), "{equation} is not in\n{contact}");
     }
-    for equation in ["M̂(v⁺−v)=hF", "0≤rₙ⟂", "q⁺=q+hv⁺", "θv⁺+(1−θ)v"] {
+    for equation in ["M̂(v⁺−v)=hF", "0≤r_n⟂φ/h", "q⁺=q+hv⁺", "θv⁺+(1−θ)v", "½rᵀWr"] {
         assert!(dynamics.contains(equation), "{equation} is not in\n{dynamics}");
+    }
+    for equation in ["R_t=σw", "a₀=M⁻¹F(q,v)", "v⁺=v+ha"] {
+        assert!(replicas.contains(equation), "{equation} is not in\n{replicas}");
     }
 }
 
@@ -152,7 +160,7 @@ fn the_pages_have_the_main_equations() {
 fn a_page_that_is_cut_or_not_made_again_is_seen() {
     let source = "The gap $x_1$ and\n\n$\\frac{a}{b}$\n";
     let made = page(source);
-    assert!(made.contains("The gap <math") && made.contains("<div><math display=\"block\"><mfrac"), "{made}");
+    assert!(made.contains("The gap <math") && made.contains("><math display=\"block\"><mfrac"), "{made}");
     assert_ne!(made, page(&source.replace('b', "c")));
     assert!(!inline("<mo>*</mo><mo>[</mo>").contains(['*', '[']));
 }

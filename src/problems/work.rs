@@ -3,7 +3,7 @@
 //! Iterations that factorise nothing are compared alone: each does nothing else that grows with W. A pass is W r for one r, or a sweep over
 //! all contacts. An answer counts with all its passes, those that measured its residual too, and only where the certificate accepts it.
 
-use super::ALL;
+use super::{ALL, Known};
 use crate::Result;
 use crate::problem::{ContactProblem, Law};
 use crate::tolerance::cli::{ASKED_SHARE, CERTIFY};
@@ -12,6 +12,7 @@ use moreau_contact::operator::passes::counted;
 use moreau_contact::solvers::{
     AcceleratedProjectedGradient, BarzilaiBorwein, ContactSolver, ProjectedGaussSeidel, ProjectedOverRelaxation,
 };
+use moreau_contact::tolerance::solvers::SYMMETRY;
 use rayon::prelude::*;
 
 /// Iterations that are allowed: one that needs more counts as one without an answer.
@@ -28,7 +29,7 @@ pub struct Table {
     pub passes: Vec<Vec<f64>>,
 }
 
-/// Laws under which the same iterations are asked.
+/// Laws under which the same iterations are asked: problems that all of them take.
 struct Group {
     laws: &'static str,
     is_of: fn(Law) -> bool,
@@ -63,19 +64,30 @@ fn iterations() -> [(&'static str, Box<dyn ContactSolver>); 5] {
 /// # Ok::<(), moreau::Error>(())
 /// ```
 pub fn tables() -> Result<Vec<Table>> {
-    let stored = ALL.iter().filter(|stored| stored.problem.is_some());
-    let problems: Vec<ContactProblem> = stored.map(|stored| stored.problem()).collect::<Result<_>>()?;
+    let mut problems = Vec::new();
+    for stored in ALL.iter().filter(|stored| stored.problem.is_some()) {
+        // where there is no solution, no answer is the right one
+        if stored.record()?.uniqueness.velocity != Known::None {
+            problems.push(stored.problem()?);
+        }
+    }
     GROUPS.iter().map(|group| table(group, &problems)).collect()
 }
 
 fn table(group: &Group, problems: &[ContactProblem]) -> Result<Table> {
-    let of: Vec<&ContactProblem> = problems.iter().filter(|problem| (group.is_of)(problem.law())).collect();
+    let all = iterations();
+    let asked = &all[..group.asked];
+    let takes = |problem: &ContactProblem| {
+        let (rows, symmetric) = (problem.rows_per_contact(), problem.asymmetry() <= SYMMETRY);
+        (group.is_of)(problem.law()) && asked.iter().all(|(_, solver)| solver.takes(problem.law(), rows, symmetric))
+    };
+    let of: Vec<&ContactProblem> = problems.iter().filter(|problem| takes(problem)).collect();
     let row = |problem: &&ContactProblem| {
         let all = iterations();
         all[..group.asked].iter().map(|(_, solver)| passes(problem, solver.as_ref())).collect::<Result<Vec<f64>>>()
     };
     let passes = of.par_iter().map(row).collect::<Result<_>>()?;
-    Ok(Table { laws: group.laws, solvers: iterations()[..group.asked].iter().map(|(name, _)| *name).collect(), passes })
+    Ok(Table { laws: group.laws, solvers: asked.iter().map(|(name, _)| *name).collect(), passes })
 }
 
 /// How often an iteration goes through W until its answer is accepted; ∞ if it has none.

@@ -18,8 +18,9 @@ pub(super) const PICTURE: Picture = Picture {
             检查答案是否足够好也计入其中。Newton 法、主元法与内点法要分解矩阵，遍历次数说明不了它们的代价，故不参与比较。",
     },
     obtained: Words {
-        en: "Each iteration started from zero on every stored problem of the law; an answer counts where the certificate accepts it at 1e-8.",
-        zh: "各迭代从零开始求解该定律下的每个已存问题；证书在 1e-8 下接受的答案才计入。",
+        en: "Each iteration started from zero on every stored problem of the law that has a solution and that all of them take; an answer \
+            counts where the certificate accepts it at 1e-8.",
+        zh: "各迭代从零开始求解该定律下有解且它们都能处理的每个已存问题；证书在 1e-8 下接受的答案才计入。",
     },
     command: "moreau problems export --all problems && moreau bench problems --solver pgs --solver psor --solver apgd --solver bb",
     claims: &["S6.pgs-sublinear", "S5.rates", "R8"],
