@@ -5,8 +5,9 @@
     python3 scripts/chapter_places.py CHAPTER --check   compare only
 
 CHAPTER is the chapter as plain text, one paragraph a line, headings ending with a pilcrow. The text itself is not ours to hold: the file
-quotes a few words of each sentence, and has the text's length and digest. To add a claim, give its place as {"line": …, "words": …}.
-Exit code 1: words that do not stand in their line, or with --check a file that differs; 2: no such text.
+quotes the shortest clause around a few words of each sentence, at most LONGEST characters as they are read, and has the text's length and digest. To add a
+claim, give its place as {"line": …, "words": …}: the words grow to their clause, which cuts no formula, bracket or quotation.
+Exit code 1: words that do not stand in their line, or that no short clause holds, or with --check a file that differs; 2: no such text.
 """
 
 import argparse
@@ -18,6 +19,16 @@ from pathlib import Path
 
 FILE = Path(__file__).resolve().parent.parent / "references" / "chapter" / "places.json"
 SECTION = re.compile(r"§\d+")
+LONGEST = 60
+SHORTEST = 4
+FORMULA = re.compile(r"\\\(.*?\\\)")
+BOLD = re.compile(r"\*\*")
+OPEN = {"(": ")", "（": "）", "[": "]", "【": "】", "「": "」", "《": "》", "“": "”", "{": "}"}
+# where a clause may begin and end; and, where such a clause is too long, where a part of it may
+BREAKS = set("。；;，,：:！!？?|→⇒—…•\"") | set(OPEN) | set(OPEN.values())
+WEAK = BREAKS | set(" 、/")
+# what a quotation neither begins nor ends with: marks of lists and headings, and breaks
+EDGES = " \t-–—、¶·。,，;；:："
 
 
 def outline(lines):
@@ -34,16 +45,68 @@ def outline(lines):
     return headings
 
 
+def is_whole(text):
+    """Whether no formula, bracket, quotation, name in code or bold word is cut."""
+    rest = FORMULA.sub("", text)
+    if "\\" in rest or any(rest.count(mark) % 2 for mark in ('"', "`", "**")):
+        return False
+    closing = []
+    for letter in rest:
+        if letter in OPEN:
+            closing.append(OPEN[letter])
+        elif letter in OPEN.values() and (not closing or closing.pop() != letter):
+            return False
+    return not closing
+
+
+def length(text):
+    """How many characters a reader sees: a command of TeX is one, its braces and marks are none."""
+    seen = lambda formula: re.sub(r"[{}_^\\\s]", "", re.sub(r"\\(?:[A-Za-z]+|[,;!: ])", "x", formula.group()[2:-2]))
+    return len(FORMULA.sub(seen, text))
+
+
+def cuts(line, breaks):
+    """Where a clause may begin, and where it may end: beside a break outside of formulas and numbers. None begins with a bracket."""
+    inside = {k for found in FORMULA.finditer(line) for k in range(*found.span())}
+    in_number = {found.start() + 1 for found in re.finditer(r"\d[.,:/](?=\d)", line)}
+    stops = {found.start() for found in re.finditer(r"\.(?=\s|$)", line)}
+    at = [k for k, letter in enumerate(line) if k not in inside and k not in in_number and (letter in breaks or k in stops)]
+    after = {k + 1 for k in at}
+    begins = {0, *after, *(k for k in at if line[k] in '"“「《')}
+    ends = {len(line), *at, *after}
+    if breaks is WEAK:
+        marks = {k for mark in (FORMULA, BOLD) for found in mark.finditer(line) for k in found.span()}
+        begins, ends = begins | marks, ends | marks
+    return sorted(begins), sorted(ends)
+
+
+def clause(line, words):
+    """The shortest clause of a line that holds these words; nothing if it would be longer than LONGEST."""
+    start = line.index(words)
+    end = start + len(words)
+    core = words.strip(EDGES)
+    for breaks in (BREAKS, WEAK):
+        begins, ends = cuts(line, breaks)
+        found = [line[a:b].strip(EDGES) for a in begins if a <= start for b in ends if b >= end]
+        found = [text for text in found if SHORTEST <= length(text) <= LONGEST and core in text and is_whole(text)]
+        if found:
+            return min(found, key=length)
+    return None
+
+
 def place(lines, headings, line, words):
-    """Section, heading, paragraph below it and line of the words."""
+    """Section, heading, paragraph below it, line and clause of the words."""
     if not 1 <= line <= len(lines) or words not in lines[line - 1]:
         raise SystemExit(f"line {line} does not hold “{words}”")
+    quoted = clause(lines[line - 1], words)
+    if quoted is None:
+        raise SystemExit(f"line {line} has no clause of at most {LONGEST} characters around “{words}”")
     heading = max((entry for entry in headings if entry["line"] <= line), key=lambda entry: entry["line"])
     below = lines[heading["line"] : line]
     paragraph = sum(1 for text in below if text.strip())
     before = sum(len(text) + 1 for text in lines[: line - 1])
     percent = int(100 * before / sum(len(text) + 1 for text in lines))
-    return {"section": heading["section"], "heading": heading["title"], "paragraph": paragraph, "line": line, "percent": percent, "words": words}
+    return {"section": heading["section"], "heading": heading["title"], "paragraph": paragraph, "line": line, "percent": percent, "words": quoted}
 
 
 def completed(text, stored):

@@ -5,9 +5,9 @@
 
 `moreau report` writes the site (or FOLDER holds one); its seconds and bytes are printed and limited. Then Chromium opens every page without
 a network: no error, every link and anchor leads somewhere, search and filters find what report.json counts, formulas have a size, plots name
-their units, nothing is wider than a telephone, axe-core finds nothing in light and dark, the keyboard reaches the filters, and the summary
-prints on two pages. At last each check is shown a copy with a mistake, and must see it. With --screenshots pictures of some pages are
-written instead.
+their units, section pages have the whole statement, correction and verdict of report.json, nothing is wider than a telephone or cut off on
+paper, axe-core finds nothing in light and dark, the keyboard reaches the filters, and the summary prints on two pages. At last each check
+is shown a copy with a mistake, and must see it. With --screenshots pictures of some pages are written instead.
 
 Needs Python 3.11, npm, the package registries and Chromium; where there is no Chromium and this is root on Debian, apt-get installs it.
 """

@@ -5,7 +5,7 @@ import re
 import time
 from collections.abc import Callable, Iterable
 
-from . import site
+from . import site, statements
 from .browser import DESKTOP, EVERYTHING_OPEN, PHONE, Browser
 
 PRINTED_PAGES = 2
@@ -202,17 +202,61 @@ def printed(browser: Browser, folder: pathlib.Path, summaries: Iterable[pathlib.
     return wrong
 
 
+# 1/96 of an inch, as CSS counts.
+PIXELS_PER_MILLIMETRE = 96 / 25.4
+LENGTHS = {"A4": 210.0, "A4 landscape": 297.0}
+PAGE_RULE = re.compile(r"@page\s*(\w*)\s*\{\s*size:\s*([^;]+);\s*margin:\s*([\d.]+)mm\s*\}")
+
+# What is beside the paper, cut at the border of something or over the next cell, of the elements that this kind of page is for.
+CUT = """([name, width]) => [...document.querySelectorAll('main, main *')].filter(one => {
+    if (one.ownerSVGElement || !one.checkVisibility()) return false;
+    let room = one;
+    while (room && getComputedStyle(room).page === 'auto') room = room.parentElement;
+    if ((room ? getComputedStyle(room).page : '') !== name) return false;
+    const box = one.getBoundingClientRect();
+    const closed = getComputedStyle(one).overflowX !== 'visible' || ['TD', 'TH'].includes(one.tagName);
+    const hidden = closed && one.clientWidth > 1 && one.scrollWidth > one.clientWidth + 1;
+    return box.width > 0 && (box.right > width + 0.5 || box.left < -0.5) || hidden;
+}).map(one => `${one.tagName.toLowerCase()} “${one.textContent.trim().slice(0, 30)}”`)"""
+
+
+def papers(folder: pathlib.Path) -> dict[str, float]:
+    """The width between the margins of every kind of printed page, in pixels, by its name."""
+    rules = PAGE_RULE.findall((folder / "style.css").read_text())
+    return {name: (LENGTHS[size.strip()] - 2 * float(margin)) * PIXELS_PER_MILLIMETRE for name, size, margin in rules}
+
+
+def on_paper(browser: Browser, folder: pathlib.Path, pages: Iterable[pathlib.Path]) -> list[str]:
+    """What is cut off in print, with everything opened."""
+    wrong, kinds = [], papers(folder)
+    if "" not in kinds:
+        return ["style.css names no paper"]
+    with browser.page() as page:
+        page.emulate_media(media="print", color_scheme="light")
+        for path in pages:
+            page.goto(path.as_uri())
+            page.evaluate(EVERYTHING_OPEN)
+            for name, width in kinds.items():
+                # the page is laid out in whole pixels: a fraction less than the paper
+                page.set_viewport_size({"width": int(width), "height": 900})
+                cut = page.evaluate(CUT, [name, int(width)])
+                if cut:
+                    wrong.append(f"{path.relative_to(folder)}: {len(cut)} parts are cut off on paper: {', '.join(cut[:3])}")
+    return wrong
+
+
 def look(browser: Browser, folder: pathlib.Path, axe: str) -> list[str]:
     """Every check on every page that it is for."""
     every = site.pages(folder)
     of = lambda name: [folder / name, folder / "zh" / name]
-    wrong = site.too_large(folder) + site.lost_links(folder) + site.unlabelled(folder) + site.told_otherwise(folder)
+    wrong = site.too_large(folder) + site.lost_links(folder) + site.unlabelled(folder) + site.told_otherwise(folder) + statements.cut(folder)
     for name, check in (
         ("errors", lambda: errors(browser, folder, every)),
         ("shapes", lambda: shapes(browser, folder, every)),
         ("filters", lambda: filters(browser, folder, of("claims.html"))),
         ("explored", lambda: explored(browser, folder, of("explorer.html"))),
         ("keyboard", lambda: keyboard(browser, folder, of("claims.html"))),
+        ("on paper", lambda: on_paper(browser, folder, every)),
         ("printed", lambda: printed(browser, folder, of("summary.html"))),
         ("axe", lambda: accessible(browser, folder, every, axe)),
     ):

@@ -1,10 +1,11 @@
 """Copies of the report with one mistake each, which the check for it must see."""
 
 import pathlib
+import re
 import shutil
 from collections.abc import Callable
 
-from . import checks, site
+from . import checks, site, statements
 from .browser import Browser
 
 
@@ -23,6 +24,20 @@ def changed(file: str, old: str, new: str) -> Callable[[pathlib.Path], None]:
 def inserted(file: str, markup: str) -> Callable[[pathlib.Path], None]:
     """A mistake by more markup at the end of a page's content."""
     return changed(file, "</main>", markup + "</main>")
+
+
+def shortened(file: str, end: str) -> Callable[[pathlib.Path], None]:
+    """A mistake by a text without its last ten letters before the first mark of its end."""
+
+    def plant(folder: pathlib.Path) -> None:
+        text = (folder / file).read_text()
+        at = text.index(end)
+        rest = re.sub(r"[\w .,;]{10}$", "", text[:at].removesuffix("</span>"))
+        if len(rest) >= at - 10:
+            raise SystemExit(f"{file} has no text before {end}: the mistake cannot be planted")
+        (folder / file).write_text(rest + "</span>" + text[at:])
+
+    return plant
 
 
 def added(file: str, bytes_: int) -> Callable[[pathlib.Path], None]:
@@ -46,6 +61,10 @@ def look(browser: Browser, folder: pathlib.Path, axe: str, room: pathlib.Path) -
         ("a link to no page", changed("index.html", 'href="errata.html"', 'href="erratum.html"'), site.lost_links),
         ("a link to no claim", inserted("index.html", '<a href="section-S4.html#S4.none">a</a>'), site.lost_links),
         ("another verdict on the page of a section", changed("section-S4.html", 'standing"><span class="verdict false"', 'standing"><span class="verdict true"'), site.told_otherwise),
+        ("a statement that is cut short", changed("section-S4.html", "<blockquote>The LCP has three complementarity groups", "<blockquote>The LCP has"), statements.cut),
+        ("a correction that is cut short", shortened("zh/section-S4.html", "</p></div>"), statements.cut),
+        ("a claim under the verdict of another one", changed("zh/section-S4.html", 'standing"><span class="verdict false"', 'standing"><span class="verdict true"'), statements.cut),
+        ("a claim on no page", changed("section-S4.html", '<article class="claim" id="S4.groups"', '<article class="claim" id="S4.group"'), statements.cut),
         ("another count on the front page", changed("index.html", '</b> <span><span class="mark"', '0</b> <span><span class="mark"'), site.told_otherwise),
         ("a picture without units", first_picture, site.unlabelled),
         ("a report too large", added("large.bin", site.MOST_BYTES), site.too_large),
@@ -64,6 +83,9 @@ def look(browser: Browser, folder: pathlib.Path, axe: str, room: pathlib.Path) -
         ("a scene without its runs", lambda copy: (copy / "explorer" / "stack.js").unlink(), lambda copy: checks.explored(browser, copy, [copy / "explorer.html"])),
         ("a filter that keys do not reach", changed("claims.html", '<select name="kind"', '<select tabindex="-1" name="kind"'), lambda copy: checks.keyboard(browser, copy, lists(copy))),
         ("a focus that is not seen", changed("style.css", "outline:3px solid", "outline:0 none"), lambda copy: checks.keyboard(browser, copy, lists(copy))),
+        ("a table that is cut off on paper", inserted("problems.html", "<table><tr><td style='white-space:nowrap'>" + "wide " * 60 + "</td></tr></table>"), lambda copy: checks.on_paper(browser, copy, [copy / "problems.html"])),
+        ("a table whose end is hidden on paper", changed("style.css", ".scroll{max-height:none;overflow:visible;", ".scroll{max-height:none;overflow:hidden;white-space:nowrap;"), lambda copy: checks.on_paper(browser, copy, [copy / "systems.html"])),
+        ("the scoreboard on paper of the shorter side", changed("style.css", ".wide,main:has(.wide)", "main:has(.wide)"), lambda copy: checks.on_paper(browser, copy, [copy / "scoreboard.html"])),
         ("a summary of three pages", inserted("summary.html", "<p>more</p>" * 200), lambda copy: checks.printed(browser, copy, [copy / "summary.html"])),
     )
     missed = []

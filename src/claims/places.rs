@@ -1,7 +1,9 @@
 //! Where the chapter says what a claim states, so that a reader of the Chinese text finds the sentence.
 //!
-//! `references/chapter/places.json`, which `scripts/chapter_places.py` completes from the chapter's text, quotes a few words of each.
+//! `references/chapter/places.json`, which `scripts/chapter_places.py` completes from the chapter's text, quotes a clause of each that
+//! cuts no formula and no bracket.
 
+use moreau_checks::formula;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -21,7 +23,7 @@ pub struct Place {
     pub line: usize,
     /// How much of the chapter stands before that line \[%\].
     pub percent: usize,
-    /// A few words of the sentence.
+    /// A clause of the sentence, its formulas as TeX between `\\(` and `\\)`.
     pub words: String,
 }
 
@@ -76,13 +78,24 @@ impl Places {
     }
 }
 
+impl Place {
+    /// The words as a text of this crate has them: formulas between dollar signs, and no stars of bold words.
+    fn text(&self) -> String {
+        self.words.replace("**", "").replace("\\(", "$").replace("\\)", "$")
+    }
+}
+
 impl std::fmt::Display for Place {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let section = if self.section.is_empty() || self.heading.starts_with('§') { String::new() } else { format!("{}, ", self.section) };
         write!(
             f,
             "{section}“{}”, paragraph {} (line {}, {} % of the text): “{}”",
-            self.heading, self.paragraph, self.line, self.percent, self.words
+            self.heading,
+            self.paragraph,
+            self.line,
+            self.percent,
+            formula::unicode(&self.text()).unwrap_or_else(|_| self.words.clone())
         )
     }
 }
@@ -102,12 +115,62 @@ mod tests {
     }
 
     #[test]
-    fn places_lie_below_their_heading_and_quote_a_few_words() {
+    fn places_lie_below_their_heading() {
         for place in PLACES.places.values().flatten() {
             let above = PLACES.headings.iter().rev().find(|heading| heading.line <= place.line).expect("a heading above");
             assert_eq!((&above.title, &above.section), (&place.heading, &place.section), "{place}");
             assert!(place.paragraph <= above.paragraphs && place.line <= PLACES.chapter.lines && place.percent < 100, "{place}");
-            assert!((4..=12).contains(&place.words.chars().count()), "{place}");
+        }
+    }
+
+    /// What is wrong with a quotation: a formula or a bracket that is cut, or more than a short clause.
+    fn fault(words: &str) -> Option<String> {
+        let (mut closing, mut rest, mut seen) = (Vec::new(), words, 0);
+        while let Some(letter) = rest.chars().next() {
+            let mut length = letter.len_utf8();
+            if let Some(formula) = rest.strip_prefix("\\(") {
+                let Some(end) = formula.find("\\)") else { return Some("a formula does not end".into()) };
+                let text = format!("${}$", &formula[..end]);
+                match formula::unicode(&text) {
+                    Ok(read) => seen += read.chars().count(),
+                    Err(error) => return Some(format!("{text} is no formula: {error}")),
+                }
+                length = end + 4;
+            } else if letter == '\\' {
+                return Some("a command outside of a formula".into());
+            } else if let Some(close) = "()（）[]{}「」《》“”".chars().collect::<Vec<_>>().chunks(2).find(|pair| pair[0] == letter)
+            {
+                closing.push(close[1]);
+            } else if ")）]}」》”".contains(letter) && closing.pop() != Some(letter) {
+                return Some(format!("`{letter}` closes nothing"));
+            }
+            seen += 1;
+            rest = &rest[length..];
+        }
+        let is_paired = ["\"", "`", "**"].iter().all(|mark| words.matches(mark).count() % 2 == 0);
+        match (closing.is_empty(), is_paired, (4..=80).contains(&seen)) {
+            (true, true, true) => None,
+            (true, true, false) => Some(format!("{seen} characters are no short clause")),
+            _ => Some("a bracket, a quotation or a bold word does not end".into()),
+        }
+    }
+
+    #[test]
+    fn a_quotation_is_a_short_clause_that_cuts_no_formula_and_no_bracket() {
+        for place in PLACES.places.values().flatten() {
+            assert_eq!(fault(&place.words), None, "{place}");
+        }
+        for cut in [
+            "设 \\(M(q)\\suc",
+            "=\\ell) 的解",
+            "的每个元素(用",
+            "锥内部),滑动时",
+            "满足\"要么",
+            "结果**系统性不同",
+            "短句",
+            &"长".repeat(81),
+        ] {
+            assert!(fault(cut).is_some(), "{cut}");
         }
     }
 

@@ -1,7 +1,7 @@
 //! `moreau report`: everything that was checked, as a static site that opens from a folder.
 
 use super::folder::Target;
-use super::output::print;
+use super::output::{print, print_aside};
 use super::verify::judge;
 use super::{Answer, progress};
 use crate::claims::{self, CHAPTER, Claim, JudgedClaim};
@@ -36,13 +36,15 @@ Examples:
   moreau report --out report       then open report/index.html, or report/zh/index.html in Chinese
   moreau schema report             the fields of report/report.json
 
-The report is written whole or not at all. A folder with other files is refused. Exit code 0 means that every verdict
+The report is written whole or not at all. A folder with other files is refused, and so is a mount point. A report that a
+stopped run had set aside is put back. Exit code 0 means that every verdict
 is supported by what was found, every system within its bound and every planted mistake caught; 1 that something is
 not, which the front page says first.";
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     let target = Target::new(&arguments.out)?;
+    target.left().iter().for_each(|text| print_aside(&format!("remark: {text}\n")));
     let claims: Vec<&'static Claim> = claims::all().collect();
     let planted = &sources(&[])[1..]; // all but the engines, which take minutes
     let trials: usize = planted.iter().map(|source| source.trials.len()).sum();
@@ -67,6 +69,7 @@ fn written(claims: &[&'static Claim], planted: &[Source], bar: &ProgressBar) -> 
         causes,
         defects: defects(rows(planted, &done)?),
         problems: problems::ALL.iter().map(|stored| stored.record()).collect::<Result<_>>()?,
+        work: problems::work::tables()?,
     };
     let mut files = pages::site(&gathered.report(), &done)?;
     let names: Vec<String> = files.iter().map(|file| file.path.clone()).collect();

@@ -8,6 +8,7 @@
 
 mod stored;
 mod table;
+pub mod work;
 
 pub use moreau_contact::answered::*;
 pub use stored::Stored;

@@ -6,6 +6,7 @@
 //! ```
 //! A problem that a solver does not solve counts with its time in no mean and with τ = ∞ in the profile.
 
+use super::profile::{Cost, within};
 use crate::tolerance::bench::{MILLISECOND, SHIFT};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -147,15 +148,15 @@ fn summary(name: &str, runs: &[Run]) -> Summary {
         |problem: &str| runs.iter().filter(|run| run.problem == problem && run.solved).map(|run| run.seconds).fold(f64::INFINITY, f64::min);
     let solved: Vec<&&Run> = own.iter().filter(|run| run.solved).collect();
     let logarithms: f64 = solved.iter().map(|run| (run.seconds + SHIFT).ln()).sum();
-    let within =
-        |factor: f64| solved.iter().filter(|run| run.seconds <= factor * best(&run.problem)).count() as f64 / own.len().max(1) as f64;
+    let seconds = |run: &&Run| Cost { own: if run.solved { run.seconds } else { f64::INFINITY }, least: best(&run.problem) };
+    let costs: Vec<Cost> = own.iter().map(seconds).collect();
     Summary {
         solver: name.into(),
         solved: solved.len(),
         problems: own.len(),
         without_solution: none.len(),
         mean_seconds: (!solved.is_empty()).then(|| (logarithms / solved.len() as f64).exp() - SHIFT),
-        profile: FACTORS.iter().map(|factor| within(*factor)).collect(),
+        profile: FACTORS.iter().map(|factor| within(*factor, &costs)).collect(),
         factors: FACTORS.to_vec(),
     }
 }

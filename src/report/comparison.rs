@@ -16,9 +16,13 @@ const SHOWN: [(&str, &str); 7] = [
     ("largest energy gain in a step", "gain in a step"),
     ("effective restitution of the first impact", "restitution"),
     ("creep speed at rest", "creep"),
-    ("settling time", "settling time"),
+    (SETTLING, "settling time"),
     ("largest position error", "position error"),
 ];
+
+/// The quantity without which a motion has not come to rest, and what the table says then.
+const SETTLING: &str = "settling time";
+const NEVER: &str = "does not settle";
 
 /// What `moreau compare --format json` writes.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
@@ -58,7 +62,7 @@ pub struct SchemeOutcome {
 pub struct ComparedQuantity {
     /// What it is.
     pub name: String,
-    /// Its value; absent where it is not defined for this motion.
+    /// Its value; absent where it is not defined for this motion. Without a settling time the motion goes on to the end, if only by creep.
     pub value: Option<f64>,
     /// Its unit.
     pub unit: String,
@@ -101,12 +105,14 @@ impl Comparison {
         let head = format!("scene {}, h = {h} s, {duration} s, solver {}", self.scene, self.solver);
         let mut text = line(head) + &line(format!("closed form: {form}")) + "\n";
         let ran: Vec<_> = self.schemes.iter().filter(|scheme| scheme.unsupported.is_none()).collect();
-        let columns: Vec<usize> = (0..SHOWN.len()).filter(|&k| ran.iter().any(|scheme| scheme.quantities[k].value.is_some())).collect();
+        let has = |k: usize| ran.iter().any(|scheme| SHOWN[k].0 == SETTLING || scheme.quantities[k].value.is_some());
+        let columns: Vec<usize> = (0..SHOWN.len()).filter(|&k| has(k)).collect();
         let mut rows = vec![heading(&columns)];
         for scheme in &ran {
             let cell = |&k: &usize| {
                 let ComparedQuantity { value, unit, rounding, .. } = &scheme.quantities[k];
-                value.map_or("–".into(), |value| shown(value, unit, *rounding))
+                let missing = if SHOWN[k].0 == SETTLING { NEVER } else { "–" };
+                value.map_or(missing.into(), |value| shown(value, unit, *rounding))
             };
             rows.push([scheme.name.clone()].into_iter().chain(columns.iter().map(cell)).collect());
         }
@@ -209,6 +215,7 @@ mod tests {
         let comparison =
             Comparison { scene: "x".into(), time_step: 0.01, duration: 1.0, solver: "auto".into(), closed_form: None, schemes };
         let text = comparison.text(Style::PLAIN);
-        assert!(text.contains("scheme  penetration\na             0.5 m\nb: unsupported: no joints\n"), "{text}");
+        let expected = "scheme  penetration    settling time\na             0.5 m  does not settle\nb: unsupported: no joints\n";
+        assert!(text.contains(expected), "{text}");
     }
 }

@@ -17,6 +17,7 @@ pub mod motion_page;
 pub mod no_answer;
 pub mod peers;
 pub mod problems;
+pub mod profile;
 pub mod proofs;
 mod quantity;
 pub mod schemas;

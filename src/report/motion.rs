@@ -5,9 +5,9 @@ pub use super::quantity::{Quantity, lines};
 use crate::mechanics::{BodyState, Mechanism, State};
 use crate::number::larger;
 use crate::scenes::ExactMotion;
-use crate::tolerance::report::{BARELY_MOVING, energy_noise, length_noise};
+use crate::tolerance::report::{BARELY_MOVING, creep, energy_noise, length_noise};
 use crate::trajectory::Recording;
-use crate::trajectory::metrics::{creep_speed, effective_restitutions, energy_balance, penetration, settling_time};
+use crate::trajectory::metrics::{creep_speed, creeps, effective_restitutions, energy_balance, penetration, settling_time};
 
 /// A recorded motion, with the closed form that it is compared with.
 pub struct MotionReport<'a> {
@@ -53,7 +53,8 @@ impl MotionReport<'_> {
         let balance = energy_balance(self.recording, |state| self.mechanism.energy(state));
         let last = self.mechanism.energy(self.recording.last());
         let ratios = self.restitutions();
-        let settled = settling_time(&self.times(), &self.speeds(), self.resting_speed());
+        let slow = settling_time(&self.times(), &self.speeds(), self.resting_speed());
+        let settled = slow.filter(|slow| !self.creeps(*slow));
         let steps = self.recording.impulses.len();
         let (length, energy) = (self.length_noise(), self.largest_energy());
         let quantity = |name, value, unit| Quantity { name, value, unit, rounding: None };
@@ -70,12 +71,7 @@ impl MotionReport<'_> {
             quantity("effective restitution of the first impact", ratios.and_then(|ratios| ratios.first().copied()), "1"),
             quantity("settling time", settled, "s"),
             // two positions, half of the motion apart
-            rounded(
-                "creep speed at rest",
-                settled.and_then(|settled| self.creep(settled)),
-                "m/s",
-                4.0 * length / self.recording.last().time,
-            ),
+            rounded("creep speed at rest", slow.and_then(|slow| self.creep(slow)), "m/s", 4.0 * length / self.recording.last().time),
             rounded("largest position error", self.exact.map(|exact| self.position_error(exact)), "m", length),
         ]
     }
@@ -225,7 +221,16 @@ impl MotionReport<'_> {
         2.0 * self.gravity * self.recording.time_step
     }
 
-    /// Largest mean speed of a body over the second half of the motion, if it rested by then.
+    /// Whether a body that is slow from a time on still goes on at the end.
+    fn creeps(&self, slow: f64) -> bool {
+        let (times, quarter) = (self.times(), 0.25 * (self.recording.last().time - slow));
+        let least = creep(self.resting_speed(), self.length_noise(), quarter);
+        let samples: Vec<Vec<BodyState>> = self.recording.samples.iter().map(|state| self.bodies(state)).collect();
+        let places = |body: usize, axis: usize| samples.iter().map(|bodies| bodies[body].position[axis]).collect::<Vec<f64>>();
+        (0..samples[0].len()).any(|body| (0..3).any(|axis| creeps(&times, &places(body, axis), slow, least)))
+    }
+
+    /// Largest mean speed of a body over the second half of the motion, if it was slow by then.
     fn creep(&self, settled: f64) -> Option<f64> {
         let (times, half) = (self.times(), 0.5 * self.recording.last().time);
         let samples: Vec<Vec<BodyState>> = self.recording.samples.iter().map(|state| self.bodies(state)).collect();
@@ -320,6 +325,20 @@ mod tests {
             assert_eq!((value("settling time"), value("creep speed at rest")), (None, None));
             assert_eq!(value("impacts"), None);
         });
+    }
+
+    #[test]
+    fn a_block_that_creeps_for_ever_does_not_settle_and_one_that_stands_or_sinks_does() {
+        for scheme in ["mujoco", "drake-sap", "drake-tamsi"] {
+            let scheme = crate::schemes::by_name(scheme, Default::default()).expect("a scheme");
+            with_motion("incline-stick", scheme.as_ref(), |_, value| {
+                assert_eq!(value("settling time"), None);
+                assert!(value("creep speed at rest").expect("it is slow") > 0.0);
+            });
+            // the softness lets the ball sink for a while, and then it stands
+            with_motion("ball-drop", scheme.as_ref(), |_, value| assert!(value("settling time").is_some()));
+        }
+        with_motion("incline-stick", &MoreauJean::default(), |_, value| assert_eq!(value("settling time"), Some(0.0)));
     }
 
     #[test]

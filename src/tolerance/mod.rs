@@ -252,6 +252,14 @@ pub mod report {
         super::rounding(4 * steps + 64, size)
     }
 
+    /// The mean speed \[m/s\] above which a body that rests, with speeds up to `resting` \[m/s\], creeps: what a step leaves of a velocity
+    /// whose residual is accepted at [`CERTIFY`](super::cli::CERTIFY) of that speed's scale, and the rounding `length` \[m\] of both
+    /// positions over the `time` \[s\] between them.
+    /// Derived.
+    pub fn creep(resting: f64, length: f64, time: f64) -> f64 {
+        super::cli::CERTIFY * resting + 2.0 * length / time
+    }
+
     /// Part of a body's smallest half extent from which on a penetration is remarked on: nothing is judged by it.
     /// Set.
     pub const DEEP: f64 = 0.1;

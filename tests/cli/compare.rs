@@ -40,6 +40,18 @@ fn without_names_every_scheme_runs_and_the_table_has_a_row_for_each() {
 }
 
 #[test]
+fn a_block_that_creeps_does_not_settle_and_one_that_sticks_does() {
+    let arguments = ["compare", "incline-stick", "--schemes", "moreau-jean,mujoco", "--step", "0.01"];
+    let table = moreau(&arguments);
+    let row = |scheme: &str| table.output.lines().find(|line| line.starts_with(scheme)).expect("a row").to_string();
+    assert!(row("mujoco").contains("does not settle"), "{}", table.output);
+    assert!(!row("moreau-jean").contains("does not settle"), "{}", table.output);
+    let run = moreau(&[&arguments[..], &["--format", "json"]].concat());
+    assert_eq!([value(&run, "moreau-jean", "settling time"), value(&run, "mujoco", "settling time")], [Some(0.0), None]);
+    assert!(value(&run, "mujoco", "creep speed at rest").expect("it is slow") > 0.0);
+}
+
+#[test]
 fn a_scheme_that_fails_is_reported_and_the_others_go_on() {
     // the projected gradient is for the convex laws: Coulomb's is refused, Anitescu's is solved
     let arguments = ["compare", "incline-slide", "--schemes", "moreau-jean,anitescu", "--solver", "apgd", "--step", "0.01"];

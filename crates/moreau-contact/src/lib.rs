@@ -29,6 +29,7 @@ pub mod certificate;
 pub mod cones;
 pub mod contact;
 pub mod conventions;
+pub mod equations;
 #[cfg(feature = "files")]
 pub mod files;
 pub mod memory;

@@ -11,6 +11,7 @@
 //! ```
 
 pub mod elastic_bar;
+pub mod equations;
 pub mod event_driven;
 pub mod exact_particle;
 pub mod impact_laws;

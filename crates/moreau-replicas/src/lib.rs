@@ -9,6 +9,7 @@ pub mod bullet;
 pub mod chrono;
 pub mod drake;
 pub mod energy_balance;
+pub mod equations;
 pub mod mujoco;
 pub mod schemes;
 pub mod siconos;

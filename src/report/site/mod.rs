@@ -2,6 +2,7 @@
 
 mod claim;
 pub mod document;
+mod measured;
 
 use crate::claims::errata::chinese_section;
 use crate::claims::{Figures, JudgedClaim, PLACES, SECTIONS, Section as Group, Status};
@@ -9,7 +10,7 @@ use crate::gate::cause::Cause;
 use crate::gate::planted;
 use crate::gate::scoreboard::Standing;
 use crate::matrix::{REPEATS, Row};
-use crate::problems::Record;
+use crate::problems::{Record, work};
 use crate::report::problems::{Line, friction, size};
 use crate::systems;
 use moreau_site::Words;
@@ -31,6 +32,8 @@ pub struct Gathered {
     pub defects: Vec<DefectEntry>,
     /// The records of the collection of contact problems.
     pub problems: Vec<Record>,
+    /// How much work iterations need at them.
+    pub work: Vec<work::Table>,
 }
 
 impl Gathered {
@@ -60,6 +63,7 @@ impl Gathered {
             causes: &self.causes,
             defects: &self.defects,
             problems: self.problems.iter().map(problem).collect(),
+            given: measured::given(&self.standings, &self.work),
         }
     }
 }

@@ -15,6 +15,7 @@ mod islands;
 mod mass_block;
 mod matrix_free;
 mod of_mechanism;
+pub mod passes;
 mod sparse;
 mod sparse_dynamics;
 mod velocity_factor;
@@ -177,6 +178,7 @@ impl Operator {
 
     /// Overwrites `velocity` \[m/s\] with W r for impulses r \[N·s\].
     pub(crate) fn write_product(&self, impulse: &[f64], velocity: &mut [f64]) {
+        passes::note();
         if let Operator::Dense(dense) = self {
             let mut product = DVectorViewMut::from_slice(velocity, dense.nrows());
             return product.gemv(1.0, dense, &DVectorView::from_slice(impulse, dense.ncols()), 0.0);

@@ -23,6 +23,7 @@ use super::one_contact::{Associated, Coulomb, Frictionless, OneContact, Polyhedr
 use super::parts::copy;
 use super::stopping::Stopping;
 use super::swept::{Bodies, Free, Stored, Swept};
+use crate::operator::passes;
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::solvers as tolerance;
 use crate::tolerance::sweeps::{LOOK, PREDICTED};
@@ -283,6 +284,7 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
         let Sweeper { swept, contacts, blocks, changes, point, .. } = self;
         let impulses = point.x.as_mut_slice().as_chunks_mut::<D>().0;
         swept.sweep(Sweep { blocks, contacts, impulses, changes }, point.state.as_mut_slice());
+        passes::note();
         self.sweeps += 1;
         self.look.change = changes.iter().map(|change| change.squares).sum::<f64>().sqrt();
         changes.iter().any(|change| change.moved)

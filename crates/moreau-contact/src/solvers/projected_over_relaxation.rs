@@ -14,6 +14,7 @@ use super::ContactSolver;
 use super::stopping::Stopping;
 use crate::certificate::natural_map;
 use crate::cones::second_order;
+use crate::operator::passes;
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::solvers as tolerance;
 use moreau_exact::{Error, Result};
@@ -86,6 +87,7 @@ impl ContactSolver for ProjectedOverRelaxation {
                     impulse[row] = value;
                 }
             }
+            passes::note();
             done += 1;
         }
         let velocity = problem.velocity(&impulse);

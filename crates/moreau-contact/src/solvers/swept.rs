@@ -10,7 +10,7 @@ use super::block_sweep::{Surroundings, Sweep, share};
 use super::colours::{Blocks, coloured};
 use super::one_contact::OneContact;
 use super::threads;
-use crate::operator::{BlockRows, MatrixFree};
+use crate::operator::{BlockRows, MatrixFree, passes};
 use crate::problem::{Compliance, ContactProblem, Coordinates};
 use crate::tolerance::sweeps::THREADED;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
@@ -134,6 +134,7 @@ impl<const D: usize> Swept<D> for Free<'_> {
     }
 
     fn set_state(&self, impulse: &[f64], state: &mut [f64]) {
+        passes::note();
         self.free.write_body_velocity(impulse, state);
     }
 
@@ -289,6 +290,7 @@ impl<const D: usize, const P: usize> Swept<D> for Bodies<'_, P> {
     }
 
     fn set_state(&self, impulse: &[f64], state: &mut [f64]) {
+        passes::note();
         state.fill(0.0);
         let contacts = impulse.as_chunks::<D>().0.iter().enumerate();
         contacts.filter(|(_, r)| r.iter().any(|r| *r != 0.0)).for_each(|(k, r)| self.push(k, r, state));

@@ -13,7 +13,8 @@ struct Highlight {
     explanation: &'static str,
     check: &'static str,
     quantity: &'static str,
-    engines: &'static [&'static str],
+    /// The engines whose numbers are shown; none stands for all that measured it.
+    engines: Option<&'static [&'static str]>,
 }
 
 const HIGHLIGHTS: &[Highlight] = &[
@@ -26,7 +27,15 @@ const HIGHLIGHTS: &[Highlight] = &[
                       oppose the slip. `Simplified`, the default, is right in both.",
         check: "incline/slide",
         quantity: "(v_t + μ v_n)/T, less the initial speed",
-        engines: &["rapier-0.34-coulomb", "rapier-0.36", "rapier-0.36-coulomb"],
+        engines: Some(&["rapier-0.34-coulomb", "rapier-0.36", "rapier-0.36-coulomb"]),
+    },
+    Highlight {
+        title: "Does creep vanish with the time step?",
+        explanation: "A block on a 20° slope with μ = 0.5 should stick. Every engine that answered, downhill positive: what falls with the \
+            step belongs to the discretisation, what stays to the model, and what is below 1e-12 m/s is rounding.",
+        check: "incline/stick",
+        quantity: "creep speed",
+        engines: None,
     },
     Highlight {
         title: "MuJoCo's creep does not vanish with the time step",
@@ -36,7 +45,7 @@ const HIGHLIGHTS: &[Highlight] = &[
                       is it faster.",
         check: "incline/stick",
         quantity: "creep speed",
-        engines: &["mujoco", "mujoco-elliptic", "mujoco-elliptic-impratio10", "mujoco-elliptic-impratio100"],
+        engines: Some(&["mujoco", "mujoco-elliptic", "mujoco-elliptic-impratio10", "mujoco-elliptic-impratio100"]),
     },
     Highlight {
         title: "Drake: SAP creeps with the step, Lagged and TAMSI do not",
@@ -45,7 +54,7 @@ const HIGHLIGHTS: &[Highlight] = &[
                       Lagged and TAMSI slip at a speed that the stiction tolerance fixes, at every h.",
         check: "incline/stick",
         quantity: "creep speed",
-        engines: &["drake-sap", "drake-lagged", "drake-tamsi"],
+        engines: Some(&["drake-sap", "drake-lagged", "drake-tamsi"]),
     },
     Highlight {
         title: "Bullet's effective restitution",
@@ -54,7 +63,7 @@ const HIGHLIGHTS: &[Highlight] = &[
                       at small ones: Bullet's contacts may act before they close. DART, beside it, keeps e within the error of a step.",
         check: "ball/restitution",
         quantity: "e = 0.5 from 5 m, impact 1: v+/v-",
-        engines: &["bullet", "bullet-box-ground", "dart"],
+        engines: Some(&["bullet", "bullet-box-ground", "dart"]),
     },
     Highlight {
         title: "Stacks that a sweep method lets drift",
@@ -67,7 +76,7 @@ const HIGHLIGHTS: &[Highlight] = &[
                       small, keep them within two micrometres at every step.",
         check: "stack/ten",
         quantity: "largest horizontal displacement while standing",
-        engines: &["mujoco", "mujoco-pgs", "siconos", "dart-ode", "dart-ode-nsgs", "bullet", "sapien", "rapier-0.34", "rapier-0.36"],
+        engines: Some(&["mujoco", "mujoco-pgs", "siconos", "dart-ode", "dart-ode-nsgs", "bullet", "sapien", "rapier-0.34", "rapier-0.36"]),
     },
     Highlight {
         title: "A released engine that lost restitution, from 2 m",
@@ -78,7 +87,7 @@ const HIGHLIGHTS: &[Highlight] = &[
                       bounces at none of them. Which steps bounce depends on the height of the drop.",
         check: "ball/restitution",
         quantity: "e = 0.5 from 2 m, impact 1: v+/v-",
-        engines: &["rapier-0.34", "rapier-0.35-beta-box-ground", "rapier-0.35-beta", "rapier-0.36"],
+        engines: Some(&["rapier-0.34", "rapier-0.35-beta-box-ground", "rapier-0.35-beta", "rapier-0.36"]),
     },
     Highlight {
         title: "The same engine from 5 m",
@@ -87,7 +96,7 @@ const HIGHLIGHTS: &[Highlight] = &[
                       single height is sure to show the loss; a sweep over both does.",
         check: "ball/restitution",
         quantity: "e = 0.5 from 5 m, impact 1: v+/v-",
-        engines: &["rapier-0.34", "rapier-0.35-beta-box-ground", "rapier-0.35-beta", "rapier-0.36"],
+        engines: Some(&["rapier-0.34", "rapier-0.35-beta-box-ground", "rapier-0.35-beta", "rapier-0.36"]),
     },
 ];
 
@@ -97,7 +106,7 @@ struct Table<'a> {
     /// The time steps.
     heading: Vec<String>,
     /// Name of the engine and a value per time step; none if it was not run.
-    rows: Vec<(&'static str, Vec<String>)>,
+    rows: Vec<(&'a str, Vec<String>)>,
 }
 
 /// A table per highlight, as Markdown.
@@ -117,13 +126,17 @@ pub fn html(standings: &[Standing]) -> Markup {
     }
 }
 
-fn tables(standings: &[Standing]) -> impl Iterator<Item = Table<'static>> {
+fn tables(standings: &[Standing]) -> impl Iterator<Item = Table<'_>> {
     HIGHLIGHTS.iter().map(|highlight| highlight.table(standings))
 }
 
 impl Highlight {
-    fn table(&self, standings: &[Standing]) -> Table<'_> {
-        let outcomes: Vec<_> = self.engines.iter().map(|name| (*name, self.outcome(standings, name))).collect();
+    fn table<'a>(&'a self, standings: &'a [Standing]) -> Table<'a> {
+        let names: Vec<&str> = match self.engines {
+            Some(names) => names.to_vec(),
+            None => standings.iter().filter(|standing| self.is_measured(standing)).map(|standing| standing.entry.name.as_str()).collect(),
+        };
+        let outcomes: Vec<_> = names.into_iter().map(|name| (name, self.outcome(standings, name))).collect();
         let steps = outcomes.iter().filter_map(|(_, outcome)| *outcome).map(|outcome| &outcome.steps).max_by_key(|steps| steps.len());
         let at = |step: &StepOutcome| step.time_step.map_or("value".into(), |h| format!("h = {} s", significant(h)));
         let values = |outcome: &CheckOutcome| outcome.steps.iter().map(|step| self.value(step)).collect();
@@ -137,6 +150,13 @@ impl Highlight {
     fn outcome<'a>(&self, standings: &'a [Standing], name: &str) -> Option<&'a CheckOutcome> {
         let report = standings.iter().find(|standing| standing.entry.name == name)?.report.as_ref()?;
         report.checks.iter().find(|outcome| outcome.check == self.check)
+    }
+
+    /// Whether an engine answered at some step.
+    fn is_measured(&self, standing: &Standing) -> bool {
+        let steps =
+            standing.report.iter().flat_map(|report| &report.checks).filter(|one| one.check == self.check).flat_map(|one| &one.steps);
+        steps.flat_map(|step| &step.measurements).any(|one| one.quantity == self.quantity)
     }
 
     fn value(&self, step: &StepOutcome) -> String {

@@ -114,7 +114,7 @@ pub fn repetitions(view: &View, claim: &ClaimEntry) -> Markup {
 pub fn places(view: &View, claim: &ClaimEntry) -> Markup {
     html! {
         ul.places {
-            @for place in &claim.places { li { (where_it_is(view, place)) q lang="zh-Hans" { (place.words) } } }
+            @for place in &claim.places { li { (where_it_is(view, place)) q { (view.chinese(&place.words)) } } }
             @if let Some(reason) = &claim.absent { li { (view.say(ABSENT)) (view.english(reason)) } }
         }
     }

@@ -30,6 +30,8 @@ pub struct Report<'a> {
     pub defects: &'a [DefectEntry],
     /// The collection of contact problems.
     pub problems: Vec<ProblemEntry>,
+    /// What some pictures show.
+    pub given: Given,
 }
 
 /// A section of the chapter.
@@ -215,6 +217,7 @@ pub struct ProblemEntry {
     pub script: String,
 }
 
+pub use crate::picture::{Creep, CreepStep, CreepTrend, Given, Work};
 pub use moreau_contact::answered::Known as Uniqueness;
 
 impl Report<'_> {

@@ -3,6 +3,7 @@
 pub mod axes;
 mod claim;
 mod correction;
+mod creep;
 pub mod data;
 mod defects;
 mod errata;
@@ -45,7 +46,7 @@ pub fn site(report: &Report, done: &(dyn Fn() + Sync)) -> Result<Vec<File>> {
 
 /// The same without the files of the explorer.
 fn without_runs(report: &Report, done: &(dyn Fn() + Sync)) -> Result<Vec<File>> {
-    let mut files = pictures::files(done)?;
+    let mut files = pictures::files(&report.given, done)?;
     let shared = [("style.css", include_str!("style.css")), ("claims.js", include_str!("claims.js"))];
     files.extend(shared.map(|(path, text)| File { path: path.into(), text: text.into() }));
     for language in Language::ALL {

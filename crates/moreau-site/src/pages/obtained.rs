@@ -113,7 +113,10 @@ const ROWS: [Row; 10] = [
         anchor: "pictures",
         file: "pictures.html",
         what: Words { en: "pictures", zh: "图示" },
-        how: Words { en: "computed for this report; each names its command", zh: "为本报告计算；各图注明其命令" },
+        how: Words {
+            en: "computed for this report, or read from the stored results; each names its command",
+            zh: "为本报告计算，或读自已存结果；各图注明其命令",
+        },
         command: "moreau report --out FOLDER",
     },
     Row {

@@ -1,11 +1,13 @@
 //! The page of pictures: each with its question, what is seen, how it was obtained, and the claims that it illustrates.
 
+use super::creep;
 use super::file::File;
 use super::frame::document;
 use super::prose::prose;
 use super::view::View;
-use crate::picture::Picture;
+use crate::picture::{Given, Picture};
 use crate::pictures::PICTURES;
+use crate::pictures::engines::CREEP;
 use crate::words::Words;
 use maud::{Markup, html};
 use moreau_exact::Result;
@@ -23,9 +25,9 @@ const CLAIMS: Words = Words { en: "Claims: ", zh: "相关论断：" };
 ///
 /// # Errors
 /// If a picture cannot be drawn.
-pub fn files(done: &(dyn Fn() + Sync)) -> Result<Vec<File>> {
+pub fn files(given: &Given, done: &(dyn Fn() + Sync)) -> Result<Vec<File>> {
     let draw = |picture: &&Picture| {
-        let text = (picture.draw)()?;
+        let text = (picture.draw)(given)?;
         done();
         Ok(File { path: file(picture), text })
     };
@@ -57,6 +59,7 @@ fn figure(view: &View, picture: &Picture) -> Markup {
                 p { (prose(view.say(picture.caption))) }
                 p { (view.say(OBTAINED)) (prose(view.say(picture.obtained))) }
                 p { (view.say(AGAIN)) code { (picture.command) } }
+                @if picture.id == CREEP.id { (creep::table(view)) }
                 @if !picture.claims.is_empty() { p { (view.say(CLAIMS)) (view.claim_links(picture.claims.iter().copied())) } }
             }
         }

@@ -41,7 +41,7 @@ pub fn page(view: &View) -> String {
         h1 { (view.say(TITLE)) }
         p { (view.tell(LEAD, &[&problems.len()])) }
         p { a href="obtained.html#problems" { (view.say(OBTAINED)) } }
-        (view.scrolled(view.say(TITLE), &table))
+        (view.scrolled_wide(view.say(TITLE), &table))
     };
     document(view, view.say(TITLE), &body)
 }

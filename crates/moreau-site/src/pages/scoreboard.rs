@@ -51,7 +51,7 @@ pub fn page(view: &View) -> String {
             (highlights::html(standings))
         }
         h2 { (view.say(EVERY_CHECK)) }
-        (view.scrolled(view.say(EVERY_CHECK), &matrix(view, standings)))
+        (view.scrolled_wide(view.say(EVERY_CHECK), &matrix(view, standings)))
         @if has_sentences(view) { (sentences(view)) }
     };
     document(view, view.say(TITLE), &body)

@@ -46,7 +46,7 @@ pub fn page(view: &View) -> String {
         h1 { (view.say(TITLE)) }
         p { (view.say(LEAD)) }
         p { (front::systems(view)) (view.stop()) a href="obtained.html#systems" { (view.say(OBTAINED)) } }
-        (view.scrolled(view.say(TITLE), &axes(view, systems)))
+        (view.scrolled_wide(view.say(TITLE), &axes(view, systems)))
         h2 { (view.say(AGREEMENTS)) }
         p { (view.say(MEASURED)) }
         @for (k, system) in systems.iter().enumerate() {

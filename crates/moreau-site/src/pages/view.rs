@@ -116,6 +116,11 @@ impl View<'_> {
     pub fn scrolled(&self, name: &str, table: &Markup) -> Markup {
         html! { div.scroll role="region" aria-label=(name) tabindex="0" { (table) } }
     }
+
+    /// The same for a table that is printed across the paper's longer side.
+    pub fn scrolled_wide(&self, name: &str, table: &Markup) -> Markup {
+        html! { div.scroll.wide role="region" aria-label=(name) tabindex="0" { (table) } }
+    }
 }
 
 /// The folder of the Chinese pages.
@@ -154,9 +159,9 @@ fn beginning(sentence: &str) -> String {
     sentence.into()
 }
 
-/// Words of the chapter without the stars of their headings, with its marks of formulas as they are elsewhere.
+/// Words of the chapter without the stars of their headings and of bold words, with its marks of formulas as they are elsewhere.
 fn plain(text: &str) -> String {
-    text.replace(['⭐', '\u{fe0f}'], "").replace("\\(", "$").replace("\\)", "$").trim().into()
+    text.replace(['⭐', '\u{fe0f}'], "").replace("**", "").replace("\\(", "$").replace("\\)", "$").trim().into()
 }
 
 #[cfg(test)]

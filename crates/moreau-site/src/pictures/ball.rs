@@ -37,7 +37,7 @@ pub(super) const ZENO: Picture = Picture {
     },
     command: "moreau simulate --scene bouncing-ball --step 0.01 --activation A",
     claims: &["M.zeno", "S0.zeno-absorb", "S0.tinf"],
-    draw: || zeno()?.svg(),
+    draw: |_| zeno()?.svg(),
 };
 
 pub(super) const HEIGHTS: Picture = Picture {
@@ -56,7 +56,7 @@ pub(super) const HEIGHTS: Picture = Picture {
     },
     command: "moreau simulate --scene bouncing-ball --step 0.002 --restitution 0.8 --duration 5",
     claims: &["S0.height-e2", "S12.energy"],
-    draw: || heights()?.svg(),
+    draw: |_| heights()?.svg(),
 };
 
 pub(super) const MEASURE: Picture = Picture {
@@ -74,7 +74,7 @@ pub(super) const MEASURE: Picture = Picture {
     },
     command: "moreau verify --explain S0.measure-split",
     claims: &["S0.measure-split", "S11.atom", "S7.atom"],
-    draw: || measure()?.svg(),
+    draw: |_| measure()?.svg(),
 };
 
 fn exact(restitution: f64) -> Result<BouncingBall> {

@@ -31,7 +31,7 @@ pub(super) const PROJECTION: Picture = Picture {
     },
     command: "moreau verify --explain S5.proj-states",
     claims: &["S5.proj", "S5.proj-states", "S3.projection"],
-    draw: || projection()?.svg(),
+    draw: |_| projection()?.svg(),
 };
 
 pub(super) const DE_SAXCE: Picture = Picture {
@@ -51,7 +51,7 @@ pub(super) const DE_SAXCE: Picture = Picture {
     obtained: Words { en: "Velocities moved by `cones::de_saxce::correct`.", zh: "由 `cones::de_saxce::correct` 对速度作修正。" },
     command: "moreau verify --explain S2.desaxce-incl",
     claims: &["S2.bipotential", "S2.desaxce-incl", "S5.nonconvex"],
-    draw: || de_saxce()?.svg(),
+    draw: |_| de_saxce()?.svg(),
 };
 
 pub(super) const POLYHEDRAL: Picture = Picture {
@@ -70,7 +70,7 @@ pub(super) const POLYHEDRAL: Picture = Picture {
     },
     command: "moreau verify --explain M.cone-error",
     claims: &["M.cone-error", "S4.poly-order", "S4.d8"],
-    draw: || polyhedral()?.svg(),
+    draw: |_| polyhedral()?.svg(),
 };
 
 pub(super) const DIRECTION: Picture = Picture {
@@ -88,7 +88,7 @@ pub(super) const DIRECTION: Picture = Picture {
     },
     command: "moreau verify --explain S4.aniso",
     claims: &["S4.aniso", "S4.maxdiss", "S5.apitfall-poly"],
-    draw: || directions()?.svg(),
+    draw: |_| directions()?.svg(),
 };
 
 /// The projected point (t, n) of (t, n).

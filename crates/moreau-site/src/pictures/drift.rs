@@ -30,7 +30,7 @@ pub(super) const PICTURE: Picture = Picture {
     },
     command: "moreau verify --explain S9.velocity-drift",
     claims: &["S9.velocity-drift", "S2.vel-drift", "S9.projection-energy", "S9.bullet-erp", "S9.ggl"],
-    draw: || sheet()?.svg(),
+    draw: |_| sheet()?.svg(),
 };
 
 const ERP: f64 = 0.2;

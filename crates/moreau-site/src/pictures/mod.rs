@@ -5,6 +5,7 @@ use crate::picture::Picture;
 mod ball;
 mod cones;
 mod drift;
+pub(crate) mod engines;
 mod motions;
 mod order;
 mod parts;
@@ -14,6 +15,7 @@ mod soft;
 mod solvers;
 mod stability;
 mod theta;
+mod work;
 
 /// Every picture, in the order of the chapter.
 pub const PICTURES: &[&Picture] = &[
@@ -29,6 +31,7 @@ pub const PICTURES: &[&Picture] = &[
     &cones::DIRECTION,
     &slope::GLIDING,
     &slope::CREEP,
+    &engines::CREEP,
     &rod::PAINLEVE,
     &rod::GAIN,
     &rod::LAWS,
@@ -39,6 +42,7 @@ pub const PICTURES: &[&Picture] = &[
     &stability::REGIONS,
     &stability::BAUMGARTE,
     &solvers::PICTURE,
+    &work::PICTURE,
     &drift::PICTURE,
     &motions::CRADLE,
     &motions::ROLLING,

@@ -38,7 +38,7 @@ pub(super) const CRADLE: Picture = Picture {
     },
     command: "moreau verify --explain S7.multi-nonunique",
     claims: &["S7.multi-nonunique", "S7.newton-neq-poisson-multi", "S7.solver-pivot"],
-    draw: || cradle()?.svg(),
+    draw: |_| cradle()?.svg(),
 };
 
 pub(super) const ROLLING: Picture = Picture {
@@ -57,7 +57,7 @@ pub(super) const ROLLING: Picture = Picture {
     },
     command: "moreau simulate --scene rolling-sphere --step 0.01",
     claims: &["S4.maxdiss", "P.scenes", "S7.friction-bound"],
-    draw: || rolling()?.svg(),
+    draw: |_| rolling()?.svg(),
 };
 
 pub(super) const BAR: Picture = Picture {
@@ -80,7 +80,7 @@ pub(super) const BAR: Picture = Picture {
     },
     command: "moreau verify --explain S11.rigid-to-fem",
     claims: &["S11.rigid-to-fem", "S11.fem-refs"],
-    draw: || bar()?.svg(),
+    draw: |_| bar()?.svg(),
 };
 
 pub(super) const OSCILLATOR: Picture = Picture {
@@ -99,7 +99,7 @@ pub(super) const OSCILLATOR: Picture = Picture {
     },
     command: "moreau verify --explain S1.stick-sliding",
     claims: &["S1.stick-sliding", "S1.filippov"],
-    draw: || oscillator()?.svg(),
+    draw: |_| oscillator()?.svg(),
 };
 
 /// The cradle as an impact: W and the velocities before, and what maps impulses to the balls.

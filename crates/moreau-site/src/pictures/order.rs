@@ -28,7 +28,7 @@ pub(super) const PICTURE: Picture = Picture {
     },
     command: "moreau verify --explain T.moreau-convergence",
     claims: &["T.moreau-convergence", "S0.all-Oh", "P.order-zero", "S0.order-meaningless"],
-    draw: || sheet()?.svg(),
+    draw: |_| sheet()?.svg(),
 };
 
 const RESTITUTION: f64 = 0.5;

@@ -33,7 +33,7 @@ pub(super) const PAINLEVE: Picture = Picture {
     },
     command: "moreau verify --explain S4.painleve",
     claims: &["S4.painleve", "S4.painleve-atom", "S11.painleve"],
-    draw: || painleve()?.svg(),
+    draw: |_| painleve()?.svg(),
 };
 
 pub(super) const GAIN: Picture = Picture {
@@ -53,7 +53,7 @@ pub(super) const GAIN: Picture = Picture {
     },
     command: "moreau verify --explain S7.kane-friction",
     claims: &["S7.kane-friction", "S7.stronge-no-gain", "S4.ex3-energy"],
-    draw: || gain()?.svg(),
+    draw: |_| gain()?.svg(),
 };
 
 pub(super) const LAWS: Picture = Picture {
@@ -76,7 +76,7 @@ pub(super) const LAWS: Picture = Picture {
     },
     command: "moreau verify --explain S7.definitions-differ",
     claims: &["S7.definitions-differ", "S7.routh", "S7.compression-end"],
-    draw: || laws()?.svg(),
+    draw: |_| laws()?.svg(),
 };
 
 /// W of the rod at an angle \[rad\], 1 kg and half-length 1 m.

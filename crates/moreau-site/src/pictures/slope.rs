@@ -37,7 +37,7 @@ pub(super) const GLIDING: Picture = Picture {
     },
     command: "moreau simulate --scene incline-slide --scheme anitescu --step 0.01",
     claims: &["S5.glide-h-not-mu", "S5.Oh-vanish", "S5.gliding-creep"],
-    draw: || gliding()?.svg(),
+    draw: |_| gliding()?.svg(),
 };
 
 pub(super) const CREEP: Picture = Picture {
@@ -62,7 +62,7 @@ pub(super) const CREEP: Picture = Picture {
     },
     command: "moreau compare incline-stick --schemes moreau-jean,anitescu,mujoco,drake-sap,drake-similar --step 0.005",
     claims: &["S5.gliding-creep", "S5.glide-h-not-mu", "Pr.sap-gliding", "S6.impratio", "R6"],
-    draw: || creep()?.svg(),
+    draw: |_| creep()?.svg(),
 };
 
 /// The gap of a block that slides from rest, and of one that starts at this speed in its own gap.

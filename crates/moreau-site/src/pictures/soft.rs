@@ -32,7 +32,7 @@ pub(super) const GRAPHS: Picture = Picture {
     },
     command: "moreau verify --explain S2.soft-limit",
     claims: &["S2.soft-limit", "S6.huber-box", "S3.moreau-env", "S2.branches"],
-    draw: || graphs()?.svg(),
+    draw: |_| graphs()?.svg(),
 };
 
 pub(super) const IMPEDANCE: Picture = Picture {
@@ -51,7 +51,7 @@ pub(super) const IMPEDANCE: Picture = Picture {
     },
     command: "moreau verify --explain S6.impedance-curve",
     claims: &["S6.impedance-curve", "S6.impedance-range", "S6.R-formula", "S6.solimp-default"],
-    draw: || impedance()?.svg(),
+    draw: |_| impedance()?.svg(),
 };
 
 pub(super) const BOUNCE: Picture = Picture {
@@ -72,7 +72,7 @@ pub(super) const BOUNCE: Picture = Picture {
     },
     command: "moreau verify --explain S6.zeta-bounce",
     claims: &["S6.zeta-bounce", "S8.spring-damper-model", "S7.e-not-material"],
-    draw: || bounce()?.svg(),
+    draw: |_| bounce()?.svg(),
 };
 
 pub(super) const LOAD: Picture = Picture {
@@ -92,7 +92,7 @@ pub(super) const LOAD: Picture = Picture {
     },
     command: "moreau simulate --scene box-stack --scheme mujoco --step 0.005",
     claims: &["S6.rest-penetration", "S2.penetration-zero", "S9.penetration-rigid-vs-soft", "S6.less-rigid-than-sap"],
-    draw: || load()?.svg(),
+    draw: |_| load()?.svg(),
 };
 
 /// v_s \[m/s\] of the regularised curves.

@@ -28,7 +28,7 @@ pub(super) const PICTURE: Picture = Picture {
     },
     command: "moreau simulate --scene box-stack --scheme anitescu --step 0.01 --solver pgs",
     claims: &["S6.pgs-10", "S6.pgs-sublinear", "S5.rates", "R8"],
-    draw: || sheet()?.svg(),
+    draw: |_| sheet()?.svg(),
 };
 
 /// Limits of iterations that are tried.

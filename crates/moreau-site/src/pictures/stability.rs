@@ -29,7 +29,7 @@ pub(super) const REGIONS: Picture = Picture {
     },
     command: "moreau verify --explain S8.damped-bound",
     claims: &["S8.damped-bound", "S8.semi-bound", "S8.explicit-bound", "S8.backward-uncond", "S8.one-over-pi"],
-    draw: || regions()?.svg(),
+    draw: |_| regions()?.svg(),
 };
 
 pub(super) const BAUMGARTE: Picture = Picture {
@@ -52,7 +52,7 @@ pub(super) const BAUMGARTE: Picture = Picture {
     },
     command: "moreau verify --explain S9.baumgarte-tuning",
     claims: &["S9.baumgarte-tuning", "S9.baumgarte-eq", "S9.bullet-erp"],
-    draw: || baumgarte()?.svg(),
+    draw: |_| baumgarte()?.svg(),
 };
 
 /// The largest stable s = hω of a method at a damping ratio, by bisection from below.

@@ -1,11 +1,20 @@
 //! What every picture has to be.
 
 use super::PICTURES;
+use crate::picture::{Creep, CreepStep, Given, Work};
 use crate::words::Language;
 use std::collections::BTreeSet;
 
 /// The largest picture [bytes].
 const LARGEST: usize = 150_000;
+
+/// Something to draw where a picture shows what others measured.
+fn given() -> Given {
+    let step = |time_step| CreepStep { time_step, speed: 0.001, allowed: 0.01 * time_step };
+    let creep = Creep { engine: "engine".into(), program: "program".into(), steps: vec![step(0.01), step(0.001)], trend: None };
+    let work = Work { laws: "laws".into(), problems: 4, profiles: vec![("solver".into(), vec![[1.0, 0.25], [10.0, 0.75]])] };
+    Given { creep: vec![creep], work: vec![work] }
+}
 
 /// The names of elements in order, each opened and closed as XML asks for.
 fn assert_well_formed(id: &str, text: &str) {
@@ -67,12 +76,12 @@ fn every_picture_asks_a_question_and_says_how_it_was_answered_in_both_languages(
 fn every_picture_is_drawn_well_formed_small_labelled_and_the_same_twice() {
     for picture in PICTURES {
         let id = picture.id;
-        let text = (picture.draw)().unwrap_or_else(|error| panic!("{id}: {error}"));
+        let text = (picture.draw)(&given()).unwrap_or_else(|error| panic!("{id}: {error}"));
         assert_well_formed(id, &text);
         assert!(text.len() <= LARGEST, "{id} has {} bytes", text.len());
         assert!(units(&text) >= 2, "{id} has no axis with a unit");
         assert!(!text.contains("NaN") && !text.contains("inf"), "{id}");
-        assert_eq!(text, (picture.draw)().expect("drawn before"), "{id}");
+        assert_eq!(text, (picture.draw)(&given()).expect("drawn before"), "{id}");
         if let Some(folder) = std::env::var_os("MOREAU_PICTURES") {
             std::fs::write(std::path::Path::new(&folder).join(format!("{id}.svg")), &text).expect("a folder for pictures");
         }
@@ -83,7 +92,7 @@ fn every_picture_is_drawn_well_formed_small_labelled_and_the_same_twice() {
 fn a_picture_in_a_page_has_its_question_and_caption_for_a_screen_reader() {
     let picture = PICTURES[0];
     for language in Language::ALL {
-        let text = picture.svg(language).expect("drawn");
+        let text = picture.svg(&given(), language).expect("drawn");
         assert_well_formed(picture.id, &text);
         assert!(text.contains(&format!("<title id=\"{}-title\">{}</title>", picture.id, picture.question.of(language))));
         assert_eq!(text.matches("<desc ").count(), 1);

@@ -31,7 +31,7 @@ pub(super) const ENERGY: Picture = Picture {
     },
     command: "moreau verify --explain S3.theta-mid",
     claims: &["S3.theta-mid", "S3.energy-half", "S3.energy-runs-down", "S8.theta-spectrum"],
-    draw: || energy()?.svg(),
+    draw: |_| energy()?.svg(),
 };
 
 pub(super) const PORTRAITS: Picture = Picture {
@@ -50,7 +50,7 @@ pub(super) const PORTRAITS: Picture = Picture {
     },
     command: "moreau verify --explain S8.semi-symplectic",
     claims: &["S8.semi-symplectic", "S8.explicit-injects", "S8.one-change", "S3.symplectic-like"],
-    draw: || portraits()?.svg(),
+    draw: |_| portraits()?.svg(),
 };
 
 fn undamped() -> SpringDamper {

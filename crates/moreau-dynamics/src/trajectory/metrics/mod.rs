@@ -1,6 +1,7 @@
 //! Distances and properties of motions, one per file; every distance that mixes units states its reference scales.
 
 mod creep_speed;
+mod creeps;
 mod effective_restitution;
 mod energy_balance;
 mod graph_distance;
@@ -14,6 +15,7 @@ mod velocity_l1;
 mod velocity_sup;
 
 pub use creep_speed::creep_speed;
+pub use creeps::creeps;
 pub use effective_restitution::effective_restitutions;
 pub use energy_balance::{EnergyBalance, energy_balance};
 pub use graph_distance::{GraphDistance, graph_distance};

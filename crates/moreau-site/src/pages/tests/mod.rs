@@ -10,6 +10,7 @@ use super::without_runs;
 use crate::words::{Language, Words};
 use moreau_gate::cause::{Cause, Component};
 use moreau_gate::scoreboard::Standing;
+use moreau_gate::trend::Origin;
 use moreau_replicas::systems::{AgreementReport, Cone, ConstraintLevel, ContactLaw, SystemReport};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -56,7 +57,21 @@ fn report<'a>(text: &str, parts: &'a Parts) -> Report<'a> {
         causes: &parts.causes,
         defects: &parts.defects,
         problems: vec![problem(text)],
+        given: given(text),
     }
+}
+
+fn given(text: &str) -> Given {
+    let step = |time_step, speed| CreepStep { time_step, speed, allowed: 0.001 };
+    let trend = |origin| CreepTrend { order: 1.0, origin };
+    let creep = [None, Some(Origin::Model), Some(Origin::Discretisation), Some(Origin::Irregular)].map(|origin| Creep {
+        engine: text.into(),
+        program: text.into(),
+        steps: vec![step(0.01, 0.02), step(0.001, -0.01)],
+        trend: origin.map(trend),
+    });
+    let work = Work { laws: text.into(), problems: 2, profiles: vec![(text.into(), vec![[1.0, 0.5], [10.0, 1.0]])] };
+    Given { creep: creep.into(), work: vec![work] }
 }
 
 fn section(group: &str) -> Section {
