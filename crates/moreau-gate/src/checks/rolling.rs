@@ -38,7 +38,8 @@ pub const CHECKS: &[Check] = &[
         question: "Does a sphere thrown along the floor end with 5/7 of its speed, rolling, and after the right time?",
         derivation: "Friction at the floor does not change the angular momentum about a point of the floor: v = 5/7 v₀. Slip falls as v₀ \
             − 7/2 μ (g t + v_n). So rolling begins at 2 v₀/(7 μ g), and by v_n/g earlier in a model that hops within the step. There is \
-            no rolling resistance, so that speed and spin do not change after that. A contact at the measured depth δ has a lever ℓ \
+            no rolling resistance, so that speed and spin do not change after that; a declared one, a moment of a p_n, takes a g t/R of v₀ and \
+            5/2 a/R of 7/2 μ, under rigid laws. A contact at the measured depth δ has a lever ℓ \
             between R and R − δ, which makes v = v₀ ℓ²/(⅖R² + ℓ²). For the ideal δ is at most what a sound step makes out of rest, 3/2 \
             g h². A declared spring along the floor that friction has loaded swings the slip at up to μ g √(m W_t/k), damped as declared.",
         source: "Newton–Euler and Coulomb; Goldsmith, Impact (billiards)",
@@ -75,9 +76,35 @@ fn thrown(bench: &Bench, h: f64) -> Scene {
 
 fn throw(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     bench.predicts(&[Addition::StaticFriction, Addition::TorsionalFriction]);
+    let coulomb = matches!(Model::of(bench.description()), Model::Coulomb(_)) && !yields(bench);
+    if coulomb {
+        bench.predicts(&[Addition::StaticFriction, Addition::TorsionalFriction, Addition::RollingFriction]);
+    }
     bench.without_damping()?;
     let motion = bench.simulate(&thrown(bench, h), h, steps_to_rolling(h), 1)?;
-    Ok(thrown_along(bench, &samples(&motion.bodies[0]), h))
+    let states = samples(&motion.bodies[0]);
+    let rolling = Addition::RollingFriction.declared(bench.description());
+    let measured = thrown_along(bench, &states, [1.0; 2], h);
+    Ok(if rolling > 0.0 { resisted(measured, &states, rolling, h) } else { measured })
+}
+
+/// The measurements of [`thrown_along`] under a declared moment of a p_n against rolling, from the start: the angular momentum about the
+/// floor falls by a m g t, and 7/2 μ − 5/2 a/R for 7/2 μ ends the slip.
+fn resisted(measured: Vec<Measurement>, states: &[Sample], rolling: f64, h: f64) -> Vec<Measurement> {
+    let depth = Depth::of(states.iter().map(|state| RADIUS - state.position.z)).of_rigid(GRAVITY, h);
+    let time = (states.len() - 1) as f64 * h;
+    let allowed = tolerance::speed(SPEED);
+    let speed = |lever: f64| (SPEED - rolling * GRAVITY * time / lever).max(0.0) * part(lever);
+    let rate = GRAVITY * (SPHERE * FRICTION - (SPHERE - 1.0) * rolling / RADIUS);
+    let ends = SPEED / rate;
+    let why = "the declared rolling friction, with the lever of the contact";
+    let late = tolerance::transition(h) + tolerance::later(ends, depth.size(), RADIUS);
+    let laws = [
+        depth.levers(allowed, why, speed),
+        depth.levers(allowed, why, |lever| speed(lever) * (1.0 - RADIUS / lever)),
+        Expectation::equal(ends, late, "v₀/(g (7/2 μ − 5/2 a/R)), with the declared rolling friction"),
+    ];
+    measured.into_iter().zip(laws).map(|(one, law)| one.predicted(Some(law))).collect()
 }
 
 /// Steps of twice the time until the thrown sphere rolls.
@@ -86,8 +113,8 @@ pub(super) fn steps_to_rolling(h: f64) -> usize {
 }
 
 /// What is measured of a sphere that begins with [`SPEED`] along x, without spin, against a level surface at z = 0; the states after every
-/// step in the frame of this surface.
-pub(super) fn thrown_along(bench: &Bench, states: &[Sample], h: f64) -> Vec<Measurement> {
+/// step in the frame of this surface. `cone` is the least and the greatest friction over μ in the direction of a slip that x may become.
+pub(super) fn thrown_along(bench: &Bench, states: &[Sample], cone: [f64; 2], h: f64) -> Vec<Measurement> {
     let end = states[states.len() - 1];
     let depth = Depth::of(states.iter().map(|state| RADIUS - state.position.z));
     let allowed = tolerance::speed(SPEED);
@@ -101,7 +128,7 @@ pub(super) fn thrown_along(bench: &Bench, states: &[Sample], h: f64) -> Vec<Meas
             .predicted(lever.map(|depth| speed(depth, LEVER))),
         Measurement::new("final slip", "m/s", slip(&end), spun(rigid, "v = ω ℓ, with the lever of the contact"))
             .predicted(lever.map(|depth| spun(depth, LEVER))),
-        time_to_rolling(bench, states, depth, h),
+        time_to_rolling(bench, states, (depth, cone), h),
     ]
 }
 
@@ -152,21 +179,31 @@ impl Depth {
 }
 
 /// The first sample at which the slip is gone, or too small for the declared law's full friction.
-fn time_to_rolling(bench: &Bench, states: &[Sample], depth: Depth, h: f64) -> Measurement {
+fn time_to_rolling(bench: &Bench, states: &[Sample], (depth, [weak, strong]): (Depth, [f64; 2]), h: f64) -> Measurement {
     let rate = SPHERE * FRICTION * GRAVITY;
     let full = full_slip(bench.description(), rate, h);
     let transition = (SPEED - full) / rate;
-    let found = states.iter().position(|state| slip(state) <= full + tolerance::no_slip(rate, h));
+    let found = states.iter().position(|state| left(state) <= full + tolerance::no_slip(rate, h));
     let measured = found.map_or(f64::INFINITY, |k| k as f64 * h);
     let allowed = tolerance::transition(h) + tolerance::later(transition, depth.of_rigid(GRAVITY, h).size(), RADIUS);
     let ideal = Expectation::equal(transition, allowed, "2 v₀/(7 μ g), less the time of slips too small for full friction");
     let measurement = Measurement::new("time to rolling", "s", measured, ideal);
-    let Some(k) = found.filter(|k| *k > 0 && (hops(bench.description()) || yields(bench))) else { return measurement };
+    let edged = weak < strong;
+    let Some(k) = found.filter(|k| *k > 0 && (edged || hops(bench.description()) || yields(bench))) else { return measurement };
     // Still slipping at sample k − 1, no more at k: 7/2 μ (g t + v_n) passes v₀ between them.
     let [late, early] = [k - 1, k].map(|k| transition - states[k].velocity.z / GRAVITY);
-    let (low, high) = (early.min(late), early.max(late));
+    let (low, high) = (early.min(late) / strong, early.max(late) / weak);
     let allowed = 0.5 * (high - low) + tolerance::transition(h) + tolerance::later(transition, depth.size(), RADIUS);
-    measurement.predicted(Some(Expectation::equal(0.5 * (low + high), allowed, "the same, less v_n/g of a hop, with the lever R − δ")))
+    measurement.predicted(Some(Expectation::equal(
+        0.5 * (low + high),
+        allowed,
+        "the same, less v_n/g of a hop, with the lever R − δ and the declared cone",
+    )))
+}
+
+/// The slip that is left \[m/s\], along x until it is gone and across.
+fn left(state: &Sample) -> f64 {
+    state.velocity_at(Vector3::new(0.0, 0.0, -RADIUS)).y.hypot(slip(state).max(0.0))
 }
 
 /// Velocity of the sphere's lowest point along x \[m/s\].
@@ -231,4 +268,37 @@ fn damped(undamped: &Expectation, gyration: f64, (linear, angular): (f64, f64), 
     // κ itself changes with the lever by no more than the acceleration does.
     let lever = undamped.tolerance * (1.0 + linear.max(angular) * time);
     Expectation::equal((end - middle) / time, lever + error, "the same under the declared damping")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Verdict;
+    use crate::exact::judge_declaring;
+    use crate::runner::SWEEP;
+
+    /// Worst verdict on a thrown sphere with rolling friction a \[m\] that declares another one. While it slips, v̇ = −μ g and ω̇ R = 5/2 g
+    /// (μ − a/R); when it rolls, v̇ = −5/7 g a/R.
+    fn verdict(h: f64, acts: f64, declared: f64) -> Verdict {
+        let part = acts / RADIUS;
+        let ends = SPEED / (GRAVITY * (3.5 * FRICTION - 2.5 * part));
+        let measured = judge_declaring("rolling/five-sevenths", h, &[("rolling_friction", declared, "m")], |scene, index, _, t| {
+            let (slipping, rolling) = (t.min(ends), (t - ends).max(0.0));
+            let slowed = 5.0 / 7.0 * GRAVITY * part * rolling;
+            let velocity = SPEED - FRICTION * GRAVITY * slipping - slowed;
+            let rim = 2.5 * GRAVITY * (FRICTION - part) * slipping - slowed;
+            (scene.bodies[index].position, [1.0, 0.0, 0.0, 0.0], [velocity, 0.0, 0.0], [0.0, rim / RADIUS, 0.0])
+        });
+        measured.iter().map(Measurement::verdict).max().expect("measurements")
+    }
+
+    #[test]
+    fn declared_rolling_friction_is_a_difference_where_it_acts_and_fails_where_it_does_not_or_is_another() {
+        for h in SWEEP {
+            assert_eq!(verdict(h, 0.01, 0.01), Verdict::Difference, "{h}");
+            for acts in [0.0, 0.009, 0.011] {
+                assert_eq!(verdict(h, acts, 0.01), Verdict::Fail, "{acts} at {h}");
+            }
+        }
+    }
 }
