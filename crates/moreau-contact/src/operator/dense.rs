@@ -5,9 +5,10 @@ use nalgebra::DMatrix;
 
 impl ContactOperator for DMatrix<f64> {
     fn diagonal_block(&self, contact: usize, block: &mut [f64]) {
-        let rows = block.len().isqrt();
-        for (place, entry) in block.iter_mut().enumerate() {
-            *entry = self[(contact * rows + place % rows, contact * rows + place / rows)];
+        let (rows, size) = (block.len().isqrt(), self.nrows());
+        for (column, entries) in block.chunks_exact_mut(rows.max(1)).enumerate() {
+            let first = (contact * rows + column) * size + contact * rows;
+            entries.copy_from_slice(&self.as_slice()[first..first + rows]);
         }
     }
 
