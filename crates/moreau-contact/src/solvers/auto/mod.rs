@@ -140,7 +140,7 @@ fn opens_everywhere(problem: &ContactProblem) -> bool {
 
 /// What needs no algorithm; else one island after another, of a few contacts only where one algorithm after another fails at the whole.
 fn chain(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Result<Solution> {
-    super::start(problem, warm_start)?;
+    super::parts::check_start(problem, warm_start)?;
     if let Some(solution) = at_once(problem, warm_start, goal) {
         return Ok(solution);
     }

@@ -12,8 +12,8 @@ use crate::tolerance::newton::{FEW_NEWTON_STEPS, FEW_ROUNDS, FEW_SWEEPS_BEFORE};
 use crate::tolerance::solvers::NONSMOOTH_PROXIMALS;
 use nalgebra::DVector;
 
-/// Rows of five contacts in space; more take the larger system.
-const SHORT: usize = 15;
+/// Rows of five contacts in space, and one; more take the larger system.
+const SHORT: usize = 16;
 const LONG: usize = 3 * MOST;
 
 /// The contacts on the way, with D rows each.

@@ -67,8 +67,9 @@ impl Normals {
         let mut normals = Normals { size, matrix: [[0.0; MOST]; MOST], vector: [0.0; MOST] };
         match problem.delassus() {
             Operator::Dense(dense) => {
-                for (k, column) in dense.as_slice().chunks_exact(size * rows).step_by(rows).enumerate() {
-                    column.iter().step_by(rows).enumerate().for_each(|(j, entry)| normals.matrix[j][k] = *entry);
+                for k in 0..size {
+                    let column = &dense.as_slice()[k * rows * size * rows..][..size * rows];
+                    (0..size).for_each(|j| normals.matrix[j][k] = column[j * rows]);
                 }
             }
             stored => {
@@ -128,11 +129,11 @@ impl Normals {
         let (mut w, mut negative, mut is_exact) = ([0.0; MOST], 0, true);
         for i in 0..n {
             let (mut sum, mut size, mut given) = (self.vector[i], self.vector[i].abs(), self.vector[i].abs());
-            for j in 0..n {
-                let (entry, product) = (self.matrix[i][j], self.matrix[i][j] * z[j]);
+            for j in (0..n).filter(|j| self.matrix[i][*j] != 0.0) {
+                let product = self.matrix[i][j] * z[j];
                 sum += product;
                 size += product.abs();
-                given = given.max(if entry == 0.0 { 0.0 } else { self.vector[j].abs() });
+                given = given.max(self.vector[j].abs());
             }
             let floor = gamma * size;
             let inside = support & bit(i) != 0;
