@@ -16,17 +16,18 @@ pub(super) fn find(problem: &ContactProblem) -> Vec<usize> {
     }
     let pair = |k: usize| problem.bodies().map(|bodies| sorted(bodies[k]));
     let mut order: Vec<usize> = (0..problem.contacts()).collect();
-    order.sort_by_key(|k| pair(*k));
+    order.sort_unstable_by_key(|k| (pair(*k), *k));
+    let mut touching = Touching::default();
     for named in order.chunk_by(|one, other| pair(*one) == pair(*other)).filter(|named| named.len() > 1) {
         if !knows_rows {
             join_all_coupled(problem, named, &mut found);
             continue;
         }
-        let mut touching: Vec<(Option<Vec<usize>>, usize)> = named.iter().map(|k| (problem.touched(*k), *k)).collect();
-        touching.sort();
-        for same in touching.chunk_by(|one, other| one.0 == other.0) {
-            let members: Vec<usize> = same.iter().map(|(_, k)| *k).collect();
-            join_connected(problem, &members, &mut found);
+        touching.set(problem, named);
+        let Touching { columns, order } = &mut touching;
+        let of = |(_, [first, last]): &(usize, [usize; 2])| &columns[*first..*last];
+        for same in order.chunk_by_mut(|one, other| of(one) == of(other)) {
+            join_connected(problem, same, &mut found);
         }
     }
     found
@@ -36,20 +37,47 @@ fn sorted([first, second]: [Option<usize>; 2]) -> [Option<usize>; 2] {
     if first <= second { [first, second] } else { [second, first] }
 }
 
-/// Joins what W couples directly or through others: `members` grow, and so does what they come to.
-fn join_connected(problem: &ContactProblem, members: &[usize], found: &mut [usize]) {
-    let mut rest: Vec<usize> = members.to_vec();
-    while let Some(&first) = rest.first() {
-        let (mut group, mut next) = (vec![first], 0);
-        rest.remove(0);
-        while next < group.len() {
-            let (coupled, others) = rest.into_iter().partition(|k| couples(problem, [group[next], *k]));
-            let coupled: Vec<usize> = coupled;
-            group.extend(coupled);
-            rest = others;
-            next += 1;
+/// Contacts in the order of the columns of H that they touch, and these columns; the memory is used for one pair of bodies after another.
+#[derive(Default)]
+struct Touching {
+    columns: Vec<usize>,
+    /// Each contact with its part of `columns`.
+    order: Vec<(usize, [usize; 2])>,
+}
+
+impl Touching {
+    fn set(&mut self, problem: &ContactProblem, contacts: &[usize]) {
+        let Touching { columns, order } = self;
+        columns.clear();
+        order.clear();
+        for &k in contacts {
+            let first = columns.len();
+            problem.push_touched(k, columns);
+            order.push((k, [first, columns.len()]));
         }
-        group.iter().for_each(|k| found[*k] = first);
+        order.sort_unstable_by_key(|(k, [first, last])| (&columns[*first..*last], *k));
+    }
+}
+
+/// Joins what W couples directly or through others: what was come to stands before what was not, and grows.
+fn join_connected(problem: &ContactProblem, members: &mut [(usize, [usize; 2])], found: &mut [usize]) {
+    let mut start = 0;
+    while start < members.len() {
+        let first = members[start].0;
+        let (mut next, mut end) = (start, start + 1);
+        while next < end {
+            let (own, mut kept) = (members[next].0, end);
+            for other in end..members.len() {
+                if couples(problem, [own, members[other].0]) {
+                    // the rest keeps its order
+                    members[kept..=other].rotate_right(1);
+                    kept += 1;
+                }
+            }
+            (next, end) = (next + 1, kept);
+        }
+        members[start..end].iter().for_each(|(k, _)| found[*k] = first);
+        start = end;
     }
 }
 

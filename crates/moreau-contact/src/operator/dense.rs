@@ -3,11 +3,18 @@
 use super::ContactOperator;
 use nalgebra::DMatrix;
 
+/// A column as it lies in memory: an iterator of the matrix's own takes the processor several times as long.
+#[inline(always)]
+fn entries(matrix: &DMatrix<f64>, column: usize) -> &[f64] {
+    let size = matrix.nrows();
+    &matrix.as_slice()[column * size..(column + 1) * size]
+}
+
 impl ContactOperator for DMatrix<f64> {
     fn diagonal_block(&self, contact: usize, block: &mut [f64]) {
         let rows = block.len().isqrt();
-        for (place, entry) in block.iter_mut().enumerate() {
-            *entry = self[(contact * rows + place % rows, contact * rows + place / rows)];
+        for (column, own) in block.chunks_exact_mut(rows.max(1)).enumerate() {
+            own.copy_from_slice(&entries(self, contact * rows + column)[contact * rows..(contact + 1) * rows]);
         }
     }
 
@@ -17,13 +24,13 @@ impl ContactOperator for DMatrix<f64> {
 
     fn add_magnitudes(&self, impulse: &[f64], sums: &mut [f64]) {
         for (column, r) in impulse.iter().enumerate().filter(|(_, r)| **r != 0.0) {
-            sums.iter_mut().zip(self.column(column).iter()).for_each(|(sum, w)| *sum += w.abs() * r.abs());
+            sums.iter_mut().zip(entries(self, column)).for_each(|(sum, w)| *sum += w.abs() * r.abs());
         }
     }
 
     fn add_contact(&self, contact: usize, impulse: &[f64], velocity: &mut [f64]) {
         for (column, r) in (contact * impulse.len()..).zip(impulse).filter(|(_, r)| **r != 0.0) {
-            velocity.iter_mut().zip(self.column(column).iter()).for_each(|(u, w)| *u += r * w);
+            velocity.iter_mut().zip(entries(self, column)).for_each(|(u, w)| *u += r * w);
         }
     }
 

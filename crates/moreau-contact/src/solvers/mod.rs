@@ -51,6 +51,7 @@ mod convex_subproblems;
 mod elimination;
 mod elimination_tree;
 pub mod enumeration;
+mod few;
 mod fischer_burmeister;
 mod fischer_burmeister_equations;
 mod fischer_burmeister_map;

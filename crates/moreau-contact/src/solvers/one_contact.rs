@@ -98,6 +98,11 @@ impl Coulomb {
         (a[0] > 0.0).then_some(Coulomb { block: a, inverse, stick, mu, damper: -1.0 })
     }
 
+    /// μ.
+    pub(super) fn friction(&self) -> f64 {
+        self.mu
+    }
+
     /// The sliding answer for r_n without friction and the velocity `rest` that sticking would stop; Newton's method on
     /// φ(κ) = μ r_n/‖r_t‖ − 1, which rises from below zero, within a bracket.
     #[inline]

@@ -11,15 +11,20 @@ use nalgebra::DVector;
 /// # Errors
 /// [`Error::Invalid`] if the given ones are not as many finite numbers as the problem has rows.
 pub fn start(problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<DVector<f64>> {
-    match warm_start {
-        None => Ok(DVector::zeros(problem.rows())),
-        Some(impulse) => {
-            problem.require_size("warm_start", impulse.len())?;
-            match impulse.iter().position(|r| !r.is_finite()) {
-                None => Ok(impulse.clone()),
-                Some(row) => Err(Error::invalid(format!("warm_start[{row}]"), format!("is {}", impulse[row]), "give finite impulses")),
-            }
-        }
+    check_start(problem, warm_start)?;
+    Ok(warm_start.map_or_else(|| DVector::zeros(problem.rows()), DVector::clone))
+}
+
+/// Refuses given impulses that are not as many finite numbers as the problem has rows.
+///
+/// # Errors
+/// [`Error::Invalid`] with their number, or the first row that is not finite.
+pub(super) fn check_start(problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<()> {
+    let Some(impulse) = warm_start else { return Ok(()) };
+    problem.require_size("warm_start", impulse.len())?;
+    match impulse.iter().position(|r| !r.is_finite()) {
+        None => Ok(()),
+        Some(row) => Err(Error::invalid(format!("warm_start[{row}]"), format!("is {}", impulse[row]), "give finite impulses")),
     }
 }
 

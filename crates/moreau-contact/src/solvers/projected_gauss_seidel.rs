@@ -305,7 +305,7 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
 
 /// Contact k alone, with its padded block made definite, and symmetric where its law needs it. The difference from W_kk + R_kk
 /// multiplies the previous impulse (a proximal step), so the fixed points stay those of the given problem.
-fn prepare<L>(problem: &ContactProblem, k: usize, one: impl Fn(&Matrix3<f64>, f64) -> Option<L>) -> Result<L> {
+pub(super) fn prepare<L>(problem: &ContactProblem, k: usize, one: impl Fn(&Matrix3<f64>, f64) -> Option<L>) -> Result<L> {
     let rows = problem.rows_per_contact();
     let (mut own, mut block) = ([0.0; 9], Matrix3::identity());
     problem.delassus().of_contacts().diagonal_block(k, &mut own[..rows * rows]);

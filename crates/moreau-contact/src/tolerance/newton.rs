@@ -98,3 +98,15 @@ pub const PART_LEFT: f64 = 1.0 / 16.0;
 /// for them than for sweeps in at most 42.
 /// Set.
 pub const STEPS_IN_AUTO: usize = 100;
+
+/// Sweeps over a few contacts before Newton's method is tried, four times as many in each further round: two show of most which press.
+/// Set.
+pub const FEW_SWEEPS_BEFORE: usize = 2;
+
+/// Rounds of sweeps and Newton's method over a few contacts, before the longer chain begins.
+/// Set.
+pub const FEW_ROUNDS: usize = 2;
+
+/// Steps of Newton's method in a round: from the right pattern three square the error to rounding, and the others find the pattern.
+/// Set.
+pub const FEW_NEWTON_STEPS: usize = 6;

@@ -236,6 +236,10 @@ pub const FEWEST_REDUNDANT: usize = 200;
 /// Set.
 pub const FEWEST_IN_ISLANDS: usize = 16;
 
+/// Most contacts of a problem whose certificate leaves its memory to the next one: a megabyte or two for each thread.
+/// Set.
+pub const KEPT: usize = 4096;
+
 /// Accelerated sweeps before Newton's method is tried: four times as many as the acceleration remembers. They show which contacts press,
 /// and they solve easy contacts: of the 26 friction files of Siconos and FCLIB that were tried 22 are solved within them, at half the time
 /// of fewer sweeps with Newton's method after them. For n contacts ten steps of Newton's method cost as much as 10 n of these sweeps.

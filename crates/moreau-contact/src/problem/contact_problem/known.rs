@@ -34,29 +34,24 @@ impl Known {
         }
     }
 
-    /// The columns of H that the rows of a contact touch, growing.
-    pub fn touched(&self, contact: usize, rows: usize) -> Vec<usize> {
+    /// Appends the columns of H that the rows of a contact touch, growing.
+    pub fn push_touched(&self, contact: usize, rows: usize, columns: &mut Vec<usize>) {
         match self {
-            Known::Sparse { jacobian, .. } => {
-                let contact = &jacobian.contacts()[contact];
-                let mut columns = Vec::with_capacity(contact.parts().map(|part| part.width).sum());
-                columns.extend(contact.touched());
-                columns
-            }
+            Known::Sparse { jacobian, .. } => columns.extend(jacobian.contacts()[contact].touched()),
             Known::Dense(Dynamics { jacobian, .. }) => {
                 let rows = jacobian.rows(contact * rows, rows);
-                (0..jacobian.ncols()).filter(|column| rows.column(*column).iter().any(|entry| *entry != 0.0)).collect()
+                columns.extend((0..jacobian.ncols()).filter(|column| rows.column(*column).iter().any(|entry| *entry != 0.0)));
             }
         }
     }
 }
 
-/// The columns that the rows of a contact touch, of an H by bodies.
-pub(super) fn columns_of(jacobian: &BlockRows, contact: usize) -> Vec<usize> {
+/// Appends the columns that the rows of a contact touch, of an H by bodies.
+pub(super) fn push_columns_of(jacobian: &BlockRows, contact: usize, columns: &mut Vec<usize>) {
     let blocks = jacobian.contact(contact).map(|(body, block)| (jacobian.velocities(body), block));
     let is_touched =
         |range: &Range<usize>, block: &[f64], v: &usize| block.iter().skip(v - range.start).step_by(range.len()).any(|entry| *entry != 0.0);
-    blocks.flat_map(|(range, block)| range.clone().filter(move |v| is_touched(&range, block, v))).collect()
+    columns.extend(blocks.flat_map(|(range, block)| range.clone().filter(move |v| is_touched(&range, block, v))));
 }
 
 impl PartialEq for Known {

@@ -17,7 +17,7 @@ mod validation;
 
 pub use builder::ContactProblemBuilder;
 pub use dynamics::Dynamics;
-use known::{Known, columns_of};
+use known::{Known, push_columns_of};
 use once::Once;
 pub(crate) use part::island_rows;
 #[cfg(feature = "files")]
@@ -153,11 +153,12 @@ impl ContactProblem {
         self.dynamics.is_some() || self.delassus.matrix_free().is_some()
     }
 
-    /// The columns of H that the rows of a contact touch, growing; `None` where H is not known.
-    pub(crate) fn touched(&self, contact: usize) -> Option<Vec<usize>> {
+    /// Appends the columns of H that the rows of a contact touch, growing; nothing where H is not known.
+    pub(crate) fn push_touched(&self, contact: usize, columns: &mut Vec<usize>) {
         match (self.delassus.matrix_free(), &self.dynamics) {
-            (Some(free), _) => Some(columns_of(free.jacobian(), contact)),
-            (None, known) => known.as_ref().map(|known| known.touched(contact, self.rows_per_contact)),
+            (Some(free), _) => push_columns_of(free.jacobian(), contact, columns),
+            (None, Some(known)) => known.push_touched(contact, self.rows_per_contact, columns),
+            (None, None) => {}
         }
     }
 

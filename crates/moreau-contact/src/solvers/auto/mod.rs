@@ -7,11 +7,12 @@ use crate::certificate::Judge;
 use crate::operator::Islands;
 use crate::problem::{ContactProblem, Coordinates, Law, Solution, island_rows};
 use crate::tolerance::certificate::CERTIFY;
-use crate::tolerance::solvers::{ACCEPTABLE, ENOUGH, FEWEST_IN_ISLANDS, STOP};
+use crate::tolerance::solvers::{ACCEPTABLE, ENOUGH, FEWEST_IN_ISLANDS, KEPT, STOP};
 use moreau_exact::error::Failure;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 use stages::{QUICK, THOROUGH, left_out};
+use std::cell::RefCell;
 
 /// The default choice: one algorithm after another, in a fixed order, until the certificate's residuals are below [`ENOUGH`], after the
 /// first of nonsmooth Newton below [`ACCEPTABLE`]; otherwise the best answer seen.
@@ -20,6 +21,8 @@ use stages::{QUICK, THOROUGH, left_out};
 /// |---|---|
 /// | many contacts, or a few at which all else failed | each island of contacts that meet by itself |
 /// | a warm start of many contacts that is no solution any more | a few steps of nonsmooth Newton from it |
+/// | a few contacts without friction | Newton-min or Lemke's path on the stack |
+/// | a few contacts under Coulomb's law | a few sweeps and Newton, on the stack |
 /// | soft contacts | Newton on Gauss's principle |
 /// | no friction, a few contacts | Newton-min, Lemke |
 /// | many contacts, fewer velocities than rows, round cones | interior points until the contacts are told apart, and Newton from there |
@@ -137,8 +140,11 @@ fn opens_everywhere(problem: &ContactProblem) -> bool {
 
 /// What needs no algorithm; else one island after another, of a few contacts only where one algorithm after another fails at the whole.
 fn chain(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Result<Solution> {
-    super::start(problem, warm_start)?;
+    super::parts::check_start(problem, warm_start)?;
     if let Some(solution) = at_once(problem, warm_start, goal) {
+        return Ok(solution);
+    }
+    if let Some(solution) = super::few::solve(problem, warm_start, goal.stop, goal.enough) {
         return Ok(solution);
     }
     let many = problem.contacts() >= FEWEST_IN_ISLANDS;
@@ -146,8 +152,10 @@ fn chain(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal
         return Ok(solution);
     }
     let whole = stages_in_turn(problem, warm_start, goal);
-    let is_good = |solution: &Solution| is_within(problem, solution, goal.acceptable);
-    if many || whole.as_ref().is_ok_and(is_good) || whole.as_ref().is_err_and(is_infeasible) {
+    let is_good = |(relative, _): &(f64, Solution)| *relative <= goal.acceptable;
+    let is_last = many || whole.as_ref().is_ok_and(is_good) || whole.as_ref().is_err_and(is_infeasible);
+    let whole = whole.map(|(_, solution)| solution);
+    if is_last {
         return whole;
     }
     islands(problem, warm_start, goal).map_or(whole, Ok)
@@ -164,8 +172,14 @@ fn at_once(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Go
     is_within(problem, &solution, goal.enough).then_some(solution)
 }
 
+thread_local! {
+    /// Prepared anew for every problem; only its memory is used again, from step to step of a simulation.
+    static JUDGE: RefCell<Judge> = RefCell::default();
+}
+
 fn is_within(problem: &ContactProblem, solution: &Solution, relative: f64) -> bool {
-    Judge::default().judge(problem, solution).is_ok_and(|judged| judged.relative() <= relative)
+    let judge = |judge: &mut Judge| judge.judge(problem, solution).is_ok_and(|judged| judged.relative() <= relative);
+    if problem.contacts() > KEPT { judge(&mut Judge::default()) } else { JUDGE.with_borrow_mut(judge) }
 }
 
 /// The answers to all islands, if there are several and one has an answer; no other algorithm does better, for they do not move each other.
@@ -206,9 +220,11 @@ fn island(
     if let Some(solution) = at_once(&island, kept.as_ref(), goal) {
         return Ok((solution, true));
     }
-    let solution = stages_in_turn(&island, kept.as_ref(), goal)?;
-    let is_good = !islands.last_is_of_lone || is_within(&island, &solution, goal.acceptable);
-    Ok((solution, is_good))
+    if let Some(solution) = super::few::solve(&island, kept.as_ref(), goal.stop, goal.enough) {
+        return Ok((solution, true));
+    }
+    let (relative, solution) = stages_in_turn(&island, kept.as_ref(), goal)?;
+    Ok((solution, relative <= goal.acceptable))
 }
 
 /// The answers to islands, put together.
@@ -230,8 +246,8 @@ impl Merged {
     }
 }
 
-/// One algorithm after another until the goal is reached, and the best answer of all.
-fn stages_in_turn(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Result<Solution> {
+/// One algorithm after another until the goal is reached, and the best answer of all with its relative residual.
+fn stages_in_turn(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Result<(f64, Solution)> {
     let (mut judge, mut iterations) = (Judge::default(), 0);
     judge.prepare(problem);
     let mut best: Option<(f64, Solution)> = None;
@@ -270,7 +286,7 @@ fn stages_in_turn(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, g
     match (best, failure) {
         (Some((relative, solution)), _) => {
             let untried = if relative <= goal.acceptable { "" } else { left_out(problem) };
-            Ok(Solution { iterations, solver: solution.solver + untried, ..solution })
+            Ok((relative, Solution { iterations, solver: solution.solver + untried, ..solution }))
         }
         (None, Some(Error::Solver { solver, failure, reason })) => {
             // one of several algorithms may refuse a problem; the chain takes them all, so that it breaks down
@@ -326,7 +342,7 @@ mod tests {
         let problem = chains(8);
         let goal = Goal { stop: STOP, enough: ENOUGH, acceptable: ACCEPTABLE };
         let by_islands = islands(&problem, None, goal).expect("nine islands, one of them of eight rows alone");
-        let whole = stages_in_turn(&problem, None, goal).unwrap();
+        let whole = stages_in_turn(&problem, None, goal).unwrap().1;
         for answer in [&by_islands, &whole, &Auto.solve(&problem, None).unwrap()] {
             assert!(residuals(&problem, answer).unwrap().is_solution(1e-12), "{}", answer.solver);
         }

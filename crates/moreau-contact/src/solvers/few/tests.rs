@@ -1,0 +1,137 @@
+//! Answers on the stack against the certificate, against other algorithms and against what is known.
+
+use super::super::{AlternatingDirections, Auto, ContactSolver, Murty, PrincipalOutcome, on_support};
+use super::*;
+use crate::certificate::Judge;
+use crate::operator::{BlockSparse, Sparse};
+use crate::problem::Lcp;
+use crate::solvers::test_problems::{by_blocks, four_corners, of_a_point, point};
+use crate::tolerance::certificate::CERTIFY;
+use crate::tolerance::solvers::{ENOUGH, STOP};
+use nalgebra::{DMatrix, dmatrix, dvector};
+
+/// Numbers of no pattern in [−1, 1].
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((self.0 >> 33) % 2001) as f64 / 1000.0 - 1.0
+    }
+
+    /// A Aᵀ + ½ + skew (B − Bᵀ): positive definite, symmetric without skew.
+    fn definite(&mut self, n: usize, skew: f64) -> DMatrix<f64> {
+        let root = DMatrix::from_fn(n, n, |_, _| self.next());
+        let other = DMatrix::from_fn(n, n, |_, _| skew * self.next());
+        &root * root.transpose() + DMatrix::identity(n, n) * 0.5 + &other - other.transpose()
+    }
+}
+
+fn lcp(matrix: DMatrix<f64>, vector: DVector<f64>) -> ContactProblem {
+    ContactProblem::new(matrix, vector).law(Law::Frictionless).rows_per_contact(1).build().expect("sizes that fit")
+}
+
+fn solved(problem: &ContactProblem) -> Option<Solution> {
+    solve(problem, None, STOP, ENOUGH)
+}
+
+#[test]
+fn a_definite_problem_without_friction_has_the_answer_of_principal_pivoting_and_no_residual() {
+    let mut numbers = Numbers(1);
+    for trial in 0..400 {
+        let n = 1 + trial % MOST;
+        let (matrix, vector) = (numbers.definite(n, 0.5), DVector::from_fn(n, |_, _| numbers.next()));
+        let problem = lcp(matrix.clone(), vector.clone());
+        let found = solved(&problem).expect("a P-matrix");
+        let expected = pivoted(&Lcp::new(matrix, vector));
+        assert!((&found.impulse - expected).amax() <= CERTIFY, "{trial}");
+        assert_eq!(Judge::default().judge(&problem, &found).expect("sizes fit").relative(), 0.0, "{trial}: what is not asked is 0");
+        let blocks = BlockSparse::from_sparse(&Sparse::of(problem.dense()), 1).expect("one row each");
+        let stored = problem.clone().into_builder().delassus(blocks).build().expect("the same numbers");
+        assert_eq!(solved(&stored).expect("the same numbers").impulse, found.impulse, "{trial}");
+    }
+}
+
+/// The solution of a problem with a P-matrix, by Murty's least index.
+fn pivoted(lcp: &Lcp<f64>) -> DVector<f64> {
+    match Murty::default().basis(lcp).expect("a P-matrix") {
+        PrincipalOutcome::Basis(support, _) => on_support(lcp, &support).expect("a P-matrix"),
+        PrincipalOutcome::Infeasible(row) => panic!("row {row} of a P-matrix"),
+    }
+}
+
+#[test]
+fn problems_that_newton_min_does_not_end_are_ended_by_the_path() {
+    for (matrix, vector) in [
+        // no entry on the diagonal; a singular block; the P-matrix on which plain Newton-min goes round in a circle
+        (dmatrix![0.0, 2.0, -1.0; -1.0, 0.0, 1.0; 2.0, -2.0, 0.0], dvector![-3.0, 6.0, -1.0]),
+        (dmatrix![1.0, 1.0; 1.0, 1.0], dvector![-1.0, -1.0]),
+        (dmatrix![1.0, 0.0, -2.0; 2.0, 1.0, -4.0; 0.0, 2.0, 1.0], dvector![-1.0, -1.0, 1.0]),
+    ] {
+        let problem = lcp(matrix, vector);
+        let found = solved(&problem).expect("Lemke's path ends at a solution");
+        assert_eq!((found.solver.as_str(), Judge::default().judge(&problem, &found).expect("sizes fit").relative()), ("lemke", 0.0));
+    }
+    // on a ray there is nothing, and the longer chain begins
+    assert_eq!(solved(&lcp(dmatrix![0.0, -1.0; 1.0, 0.0], dvector![-1.0, -1.0])), None);
+}
+
+#[test]
+fn an_answer_beyond_rounding_is_not_taken_for_exact() {
+    // z₁ = 1 moves w₂ by 10⁹, of which rounding leaves 10⁻⁷ beside q₂ = 10⁻³: more than it may hide
+    let problem = lcp(dmatrix![1.0, 0.0; -1e9, 1.0], dvector![-1.0, 1e9 + 1e-3]);
+    let found = solved(&problem).into_iter().chain(Auto.solve(&problem, None));
+    for answer in found {
+        let relative = Judge::default().judge(&problem, &answer).expect("sizes fit").relative();
+        assert!(relative <= ENOUGH, "{relative}");
+    }
+}
+
+#[test]
+fn one_contact_has_its_closed_form_in_one_sweep() {
+    for (free, impulse) in of_a_point(Law::Coulomb) {
+        let found = solved(&point(Law::Coulomb, 0.5, free)).expect("one contact");
+        assert!((&found.impulse - impulse).amax() <= STOP && found.iterations == 1, "{found:?}");
+    }
+}
+
+#[test]
+fn friction_is_solved_to_the_same_velocity_as_by_alternating_directions() {
+    let mut numbers = Numbers(7);
+    let (mut answered, mut by_newton) = (0, 0);
+    for trial in 0..120 {
+        let (rows, contacts) = (2 + trial % 2, 1 + trial % MOST);
+        let n = rows * contacts;
+        // nearly diagonal, so that Coulomb's law has one answer
+        let w = DMatrix::identity(n, n) + numbers.definite(n, 0.0) * (0.25 / n as f64);
+        let free = DVector::from_fn(n, |row, _| numbers.next() - if row % rows == 0 { 0.4 } else { 0.0 });
+        let problem = ContactProblem::new(w, free).rows_per_contact(rows).friction(vec![0.3; contacts]).build().expect("sizes fit");
+        let Some(found) = solved(&problem) else { continue };
+        answered += 1;
+        by_newton += usize::from(found.solver == "nonsmooth-newton");
+        let relative = Judge::default().judge(&problem, &found).expect("sizes fit").relative();
+        assert!(relative <= ENOUGH, "{trial}: {relative}");
+        let other = AlternatingDirections::default().solve(&problem, None).expect("symmetric");
+        assert!((&other.velocity - &found.velocity).amax() <= CERTIFY, "{trial}");
+        let again = solve(&problem, Some(&found.impulse), STOP, ENOUGH).expect("it is one already");
+        assert!((&again.velocity - &found.velocity).amax() <= CERTIFY, "{trial}: from the answer");
+        let stored = by_blocks(&problem);
+        assert!((solved(&stored).expect("the same numbers").velocity - &found.velocity).amax() <= CERTIFY, "{trial}: by blocks");
+    }
+    assert!(answered >= 110 && by_newton >= 50, "{answered} answered, {by_newton} by Newton's method");
+}
+
+#[test]
+fn redundant_contacts_and_other_laws_are_answered_rightly_or_left_to_the_chain() {
+    for law in [Law::Frictionless, Law::Coulomb, Law::Associated, Law::PolyhedralCoulomb { directions: 4 }] {
+        for (sideways, turning) in [(0.1, 0.0), (2.0, 0.0), (0.5, 1.0), (0.3, -3.0)] {
+            let problem = four_corners(law, sideways, turning);
+            let found = solved(&problem);
+            assert!(found.is_none() || matches!(law, Law::Frictionless | Law::Coulomb), "{law:?}");
+            for answer in found.iter().chain(&Auto.solve(&problem, None)) {
+                let relative = Judge::default().judge(&problem, answer).expect("sizes fit").relative();
+                assert!(relative <= ENOUGH, "{law:?} {sideways} {turning}: {relative}");
+            }
+        }
+    }
+}
