@@ -36,7 +36,7 @@ class Pair:
 
     def __init__(self, scene, a, b):
         bodies = {body["name"]: body for body in scene["bodies"]}
-        if b != GROUND and shape_of(bodies[b]) == "sphere":
+        if b != GROUND and shape_of(bodies[a]) != "sphere" == shape_of(bodies[b]):
             a, b = b, a
         self.a, self.b = a, b
         touching = [bodies[name] for name in (a, b) if name != GROUND]
