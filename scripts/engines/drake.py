@@ -5,7 +5,8 @@ A discrete `MultibodyPlant` with point contact makes steps q⁺ = q + h N v⁺, 
     M (v⁺ − v) = h τ + Jᵀ r(v⁺)
 
 and the approximation (`sap`, `similar`, `lagged`, `tamsi`) is the model of the impulse r.
-Boxes touch through spheres at their eight corners, because a box–box pair has one point only.
+Boxes touch through spheres at their eight corners, because a box–box pair has one point only; in
+a step in which no corner of two boxes is in the other one, they touch through that point.
 Capsules touch the ground through the balls at their two ends, for the same reason.
 A static body is welded to the world.  A prescribed velocity is nothing that Drake has: a joint that
 is locked has the velocity 0, and a very heavy body takes part in the momentum that ends iterations.
@@ -77,7 +78,8 @@ def _settings(request):
 # scene is refused.
 TOUCHING = [{"ground", "sphere"}, {"ground", "corner"}, {"ground", "end"}, {"ground", "cylinder"},
             {"box", "corner"}, {"box", "sphere"}, {"corner", "sphere"}, {"sphere"},
-            {"sphere", "capsule"}, {"sphere", "cylinder"}, {"capsule"}]
+            {"sphere", "capsule"}, {"sphere", "cylinder"}, {"capsule"},
+            {"box"}]  # but see `_let_boxes_meet`
 UNKNOWN = [{"box", "capsule"}, {"box", "cylinder"}, {"capsule", "cylinder"}, {"cylinder"}]
 
 
@@ -134,7 +136,7 @@ class Model:
         self.context = self.plant.GetMyMutableContextFromRoot(self.root)
         self.next_state = self.diagram.AllocateDiscreteVariables()
         self._set_initial_state()
-        self.steps = 0
+        self.steps, self.parted = 0, set()
 
     def _material(self):
         """Properties of one geometry: two in series have the pair's stiffness and damping."""
@@ -162,6 +164,7 @@ class Model:
             for kind, shape, position, name in _shapes(body, self.options["corner_radius"]):
                 geometries[kind].append(self.plant.RegisterCollisionGeometry(
                     link, RigidTransform(np.array(position)), shape, name, self._material()))
+        self.boxes = geometries["box"]
         self._filter(geometries)
 
     def _filter(self, geometries):
@@ -197,6 +200,25 @@ class Model:
             yield (pose.translation(), pose.rotation().ToQuaternion().wxyz(),
                    velocity.translational(), velocity.rotational())
 
+    def _let_boxes_meet(self):
+        """Lets those pairs of boxes meet of which no corner is in the other box, and no others."""
+        if len(self.boxes) < 2:
+            return
+        context = self.graph.GetMyMutableContextFromRoot(self.root)
+        query = self.graph.get_query_output_port().Eval(context)
+        body_of = query.inspector().GetFrameId
+        touching = {frozenset(map(body_of, (pair.id_A, pair.id_B)))
+                    for pair in query.ComputePointPairPenetration()
+                    if not {pair.id_A, pair.id_B} <= set(self.boxes)}
+        parted = {pair for pair in itertools.combinations(self.boxes, 2)
+                  if frozenset(map(body_of, pair)) in touching}
+        manager = self.graph.collision_filter_manager(context)
+        for pair in parted - self.parted:
+            manager.Apply(CollisionFilterDeclaration().ExcludeWithin(GeometrySet(pair)))
+        for pair in self.parted - parted:
+            manager.Apply(CollisionFilterDeclaration().AllowWithin(GeometrySet(pair)))
+        self.parted = parted
+
     def contacts(self):
         """The point contacts of the step that starts at the current state."""
         results = self.plant.get_contact_results_output_port().Eval(self.context)
@@ -210,6 +232,7 @@ class Model:
 
     def step(self):
         """One step and its contacts; see `_scene.record`."""
+        self._let_boxes_meet()
         for info in self.contacts():
             # The force is reported on B; the impulse on A has the other sign.
             yield (self.name_of(info.bodyA_index()), self.name_of(info.bodyB_index()),
