@@ -4,8 +4,8 @@
     python3 examples/engines/gauss_seidel_mutants.py        the names, with what each does
 """
 import box_geometry
-from engines_common import AXES, GROUND, cross, dot, norm, plus, scaled, times, transposed, turned
-from gauss_seidel import GaussSeidel
+from engines_common import AXES, GROUND, cross, dot, minus, norm, plus, scaled, times, transposed, turned
+from gauss_seidel import Contact, GaussSeidel
 
 MUTANTS = {}
 
@@ -717,6 +717,90 @@ class Asleep(GaussSeidel):
             rested[k] = rested[k] + h if slow or rested[k] > 0.5 else 0.0
             if rested[k] > 0.5:
                 body.v = body.momentum = (0.0, 0.0, 0.0)
+
+
+@mutant("asleep-until-hit")
+class AsleepUntilHit(GaussSeidel):
+    """On the ground, what has been slower than 1 mm/s for half a second stays where it is until it is pushed sideways."""
+
+    def substep(self, h):
+        before = [(body.x, body.v) for body in self.bodies]
+        super().substep(h)
+        rested = self.rested = getattr(self, "rested", [0.0] * len(self.bodies))
+        for k, body in enumerate(self.bodies if self.ground is not None else []):
+            slow = norm(body.v) < 1e-3 and norm(body.spin) < 1e-3
+            pushed = max(abs(body.v[axis] - before[k][1][axis]) for axis in (0, 1)) > 1e-3
+            rested[k] = rested[k] + h if (slow or rested[k] > 0.5) and not pushed else 0.0
+            if rested[k] > 0.5:
+                body.place(before[k][0], body.q)
+                body.v = body.momentum = (0.0, 0.0, 0.0)
+
+
+@mutant("sticks-up-to-0.97")
+class SticksShorter(GaussSeidel):
+    """A contact that needs more than 0.97 μ to stick slides, with μ."""
+
+    def slid(self, contact, slip):
+        stick = super().slid(contact, slip)
+        bound, size = contact.friction * contact.impulse[0], norm((*stick, 0.0))
+        return tuple(part * bound / size for part in stick) if size > 0.97 * bound else stick
+
+
+@mutant("points-nearer-than-5-cm-merged")
+class PointsMerged(GaussSeidel):
+    """Points of two bodies that are nearer than 5 cm are one."""
+
+    def points(self, i, j, points):
+        kept = []
+        for contact in super().points(i, j, points):
+            if all(norm(minus(contact.point, other.point)) >= 0.05 for other in kept):
+                kept.append(contact)
+        return kept
+
+
+@mutant("faces-bounce-in-the-middle")
+class FacesBounceInTheMiddle(GaussSeidel):
+    """Two boxes that have restitution touch in one point, in the middle of all."""
+
+    def points(self, i, j, points):
+        found = super().points(i, j, points)
+        if len(found) < 2 or j < 0 or not between_boxes(self, found[0]) or found[0].restitution == 0.0:
+            return found
+        mean = [sum(contact.point[axis] for contact in found) / len(found) for axis in range(3)]
+        middle = Contact(self.bodies, i, j, found[0].normal, mean, min(contact.gap for contact in found), "middle")
+        middle.friction, middle.restitution = found[0].friction, found[0].restitution
+        return [middle]
+
+
+class AlongX(GaussSeidel):
+    """Friction has nine tenths of itself unless the slip is along x."""
+
+    def wrong(self, contact):
+        return False
+
+    def want(self, contact, before, free, h, number):
+        super().want(contact, before, free, h, number)
+        slip = (0.0, 0.0, 0.0)
+        for row in (1, 2):
+            slip = plus(slip, self.relative(contact, before, row), contact.rows[row][0])
+        if self.wrong(contact) and norm(slip) > 0.0 and abs(slip[0]) < 0.99 * norm(slip):
+            contact.friction *= 0.9
+
+
+@mutant("belt-friction-along-x-only")
+class BeltAlongX(AlongX):
+    """A conveyor has nine tenths of the friction where it does not run along x."""
+
+    def wrong(self, contact):
+        return contact.j >= 0 and not (self.bodies[contact.i].free and self.bodies[contact.j].free)
+
+
+@mutant("supported-slide-along-x-only")
+class SlideAlongX(AlongX):
+    """A box that gravity presses on another one has nine tenths of the friction where it does not slide along x."""
+
+    def wrong(self, contact):
+        return between_boxes(self, contact) and abs(dot(contact.normal, self.gravity)) > 1.0
 
 
 if __name__ == "__main__":

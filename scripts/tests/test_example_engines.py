@@ -297,6 +297,13 @@ WITNESSES = {
     "slow slip": (scene(on_a_box([0.02, 0, 0]), 0.5, 0.0, 9.81, FLOOR), 1e-3, 3),
     "rough bars": ({**crossed_bars(0.5), "material": {"friction": 0.3, "restitution": 0.5}}, 1e-3, 3),
     "falling spheres": ({**oblique(0.1), "gravity": [0, 0, -9.81]}, 1e-3, 3),
+    "on a belt across x": (scene([body("box", box([0.2, 0.2, 0.1]), [0, 0, 0.1]),
+                                  unmoved("belt", prescribed={"velocity": [0.6, 0.8, 0]})], 0.3, 0.0, 9.81), 1e-2, 5),
+    "small cube": (scene([body("cube", box([0.02, 0.02, 0.02]), [0, 0, 0.02 - 1e-9])], 0.3, 0.0, 9.81, FLOOR), 1e-3, 20),
+    "just held": (scene([body("ball", HOLD, scaled(0.1 - 1e-9, JUST_TOO_STEEP["normal"]), inertia=[1, 1, 1])],
+                        0.515, 0.0, 9.81, JUST_TOO_STEEP), 1e-3, 10),
+    "left behind": (scene([body("ball", HOLD, [0, 0, 0.1]), {"name": "belt", "box": {"half_extents": [0.6, 0.5, 0.5]},
+                           "position": [0, 0, -0.5], "prescribed": {"velocity": [1, 0, 0]}}], 0.0, 0.0, 9.81, {**FLOOR, "offset": -5}), 1e-2, 80),
     "visited": (scene([body("visitor", HOLD, [-0.8, 0, 0.1], linear_velocity=[1, 0, 0]), body("resting", HOLD, [0, 0, 0.1])],
                       0.0, 0.0, 9.81, FLOOR), 1e-2, 80),
 }

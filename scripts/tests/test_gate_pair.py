@@ -45,6 +45,9 @@ CAUGHT = {
     "mass-at-least-0.1": {"central"},
     "given-inertia-ignored": {"off-centre"},
     "edge-normal-by-an-axis": {"crossed-bars"},
+    "faces-bounce-in-the-middle": {"faces"},
+    "asleep-until-hit": {"support-leaves"},
+    "supported-slide-along-x-only": {"plank-on-plank"},
 }
 # none of these may fail; a difference is as declared
 CORRECT = [["gauss_seidel.py"], ["gauss_seidel.py", "--activation", "speculative", "--theta", "1"],

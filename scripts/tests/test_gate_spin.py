@@ -21,6 +21,8 @@ CAUGHT = {
     "speed-limit-100": "limits/fast",
     "spin-limit-50": "limits/fast",
     "static-friction-5-percent": "limits/stick",
+    "sticks-up-to-0.97": "limits/stick",
+    "points-nearer-than-5-cm-merged": "limits/small",
     "last-step-reported": "contact/pairs",
     "pair-impulses-doubled": "contact/pairs",
     "pair-impulses-reversed": "contact/pairs",

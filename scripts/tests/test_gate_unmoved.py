@@ -14,6 +14,7 @@ STEPS = ["1/30", "1/240"]
 MUTANTS = {
     "belt-at-rest-for-contacts": {"conveyor/box", "conveyor/sphere"},
     "belt-is-pushed": {"conveyor/box", "conveyor/sphere"},
+    "belt-friction-along-x-only": {"conveyor/box"},
     "static-has-mass": {"fixed/bounce"},
     "round-inertia-of-sphere": {"round/struck", "round/cylinder-incline"},
 }

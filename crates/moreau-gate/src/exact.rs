@@ -1,6 +1,6 @@
 //! An engine that answers with a motion in closed form: what a check must pass before anything else.
 
-use crate::description::{BodyKind, Friction, Precision, ShapeKind};
+use crate::description::{BodyKind, Friction, OneOrMany, Precision, ShapeKind};
 use crate::{ContactModel, Description, Engine, Kind, Level, Options, Reply};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::trajectory::{BodyTrack, Trajectory};
@@ -66,10 +66,24 @@ impl<F: Fn(&Scene, usize, f64, f64) -> RigidState> Exact<F> {
 
 /// The measurements of a check on a motion at h, with their verdicts.
 pub(crate) fn judge<F: Fn(&Scene, usize, f64, f64) -> RigidState + Send>(check: &str, h: f64, motion: F) -> Vec<crate::Measurement> {
+    judge_declaring(check, h, &[], motion)
+}
+
+/// The same of an engine that declares these numbers, with their units.
+pub(crate) fn judge_declaring<F: Fn(&Scene, usize, f64, f64) -> RigidState + Send>(
+    check: &str,
+    h: f64,
+    declared: &[(&str, f64, &str)],
+    motion: F,
+) -> Vec<crate::Measurement> {
     let check = crate::checks::find(check).expect("a registered check");
     let mut engine = Exact { motion };
     let options = Options::new();
-    let description = engine.describe(&options).expect("an exact engine describes itself");
+    let mut description = engine.describe(&options).expect("an exact engine describes itself");
+    for (name, value, unit) in declared {
+        let parameter = crate::Parameter { value: OneOrMany::One(*value), unit: OneOrMany::One((*unit).into()) };
+        description.contact_model.parameters.insert((*name).into(), parameter);
+    }
     let mut bench = crate::Bench::new(&mut engine, &description, &options);
     match check.run {
         crate::Run::EachStep(run) => run(&mut bench, h).expect("an exact engine answers"),

@@ -146,6 +146,7 @@ macro_rules! gate_tests {
             spin_gyroscopic "spin/gyroscopic"
             limits_fast "limits/fast"
             limits_stick "limits/stick"
+            limits_small "limits/small"
             bounce_flat_box "bounce/flat-box"
             bounce_corner "bounce/corner"
             bounce_slow "bounce/slow"
@@ -162,7 +163,9 @@ macro_rules! gate_tests {
             pair_plank_on_plank "pair/plank-on-plank"
             pair_central "pair/central"
             pair_off_centre "pair/off-centre"
+            pair_faces "pair/faces"
             pair_rough_corner "pair/rough-corner"
+            pair_support_leaves "pair/support-leaves"
             fixed_bounce "fixed/bounce"
             fixed_rest "fixed/rest"
             conveyor_box "conveyor/box"
@@ -171,6 +174,7 @@ macro_rules! gate_tests {
             round_capsule_incline "round/capsule-incline"
             round_standing "round/standing"
             round_struck "round/struck"
+            round_crossed "round/crossed"
         }
     };
     ($engine:ty; $($function:ident $name:literal)*) => {

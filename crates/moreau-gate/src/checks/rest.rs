@@ -94,7 +94,8 @@ fn predicted(description: &Description, h: f64) -> Option<[[f64; 2]; 2]> {
     let box_depth = |insets: [f64; 2]| {
         // The lever ends in the middle of the overlap: a contraction by δ/r ≪ 1, as in `rest_depth`.
         (0..53).try_fold(0.0, |depth, _| {
-            let corner_point = Normal { mass: MASSES[1], arms: Arms::Fixed(corner_diagonal(insets, depth)), ..point };
+            let corner_point =
+                Normal { mass: MASSES[1], inverse_masses: 1.0 / MASSES[1], arms: Arms::Fixed(corner_diagonal(insets, depth)), ..point };
             corner_point.rest_depth(&model, corner)
         })
     };

@@ -38,7 +38,8 @@ pub const CHECKS: &[Check] = &[
         question: "Does a sphere thrown along the floor end with 5/7 of its speed, rolling, and after the right time?",
         derivation: "Friction at the floor does not change the angular momentum about a point of the floor: v = 5/7 v₀. Slip falls as v₀ \
             − 7/2 μ (g t + v_n). So rolling begins at 2 v₀/(7 μ g), and by v_n/g earlier in a model that hops within the step. There is \
-            no rolling resistance, so that speed and spin do not change after that. A contact at the measured depth δ has a lever ℓ \
+            no rolling resistance, so that speed and spin do not change after that; a declared one, a moment of a p_n, takes a g t/R of v₀ and \
+            5/2 a/R of 7/2 μ, under rigid laws. A contact at the measured depth δ has a lever ℓ \
             between R and R − δ, which makes v = v₀ ℓ²/(⅖R² + ℓ²). For the ideal δ is at most what a sound step makes out of rest, 3/2 \
             g h². A declared spring along the floor that friction has loaded swings the slip at up to μ g √(m W_t/k), damped as declared.",
         source: "Newton–Euler and Coulomb; Goldsmith, Impact (billiards)",
@@ -75,9 +76,35 @@ fn thrown(bench: &Bench, h: f64) -> Scene {
 
 fn throw(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     bench.predicts(&[Addition::StaticFriction, Addition::TorsionalFriction]);
+    let coulomb = matches!(Model::of(bench.description()), Model::Coulomb(_)) && !yields(bench);
+    if coulomb {
+        bench.predicts(&[Addition::StaticFriction, Addition::TorsionalFriction, Addition::RollingFriction]);
+    }
     bench.without_damping()?;
     let motion = bench.simulate(&thrown(bench, h), h, steps_to_rolling(h), 1)?;
-    Ok(thrown_along(bench, &samples(&motion.bodies[0]), h))
+    let states = samples(&motion.bodies[0]);
+    let rolling = Addition::RollingFriction.declared(bench.description());
+    let measured = thrown_along(bench, &states, h);
+    Ok(if rolling > 0.0 { resisted(measured, &states, rolling, h) } else { measured })
+}
+
+/// The measurements of [`thrown_along`] under a declared moment of a p_n against rolling, from the start: the angular momentum about the
+/// floor falls by a m g t, and 7/2 μ − 5/2 a/R for 7/2 μ ends the slip.
+fn resisted(measured: Vec<Measurement>, states: &[Sample], rolling: f64, h: f64) -> Vec<Measurement> {
+    let depth = Depth::of(states.iter().map(|state| RADIUS - state.position.z)).of_rigid(GRAVITY, h);
+    let time = (states.len() - 1) as f64 * h;
+    let allowed = tolerance::speed(SPEED);
+    let speed = |lever: f64| (SPEED - rolling * GRAVITY * time / lever).max(0.0) * part(lever);
+    let rate = GRAVITY * (SPHERE * FRICTION - (SPHERE - 1.0) * rolling / RADIUS);
+    let ends = SPEED / rate;
+    let why = "the declared rolling friction, with the lever of the contact";
+    let late = tolerance::transition(h) + tolerance::later(ends, depth.size(), RADIUS);
+    let laws = [
+        depth.levers(allowed, why, speed),
+        depth.levers(allowed, why, |lever| speed(lever) * (1.0 - RADIUS / lever)),
+        Expectation::equal(ends, late, "v₀/(g (7/2 μ − 5/2 a/R)), with the declared rolling friction"),
+    ];
+    measured.into_iter().zip(laws).map(|(one, law)| one.predicted(Some(law))).collect()
 }
 
 /// Steps of twice the time until the thrown sphere rolls.
@@ -231,4 +258,37 @@ fn damped(undamped: &Expectation, gyration: f64, (linear, angular): (f64, f64), 
     // κ itself changes with the lever by no more than the acceleration does.
     let lever = undamped.tolerance * (1.0 + linear.max(angular) * time);
     Expectation::equal((end - middle) / time, lever + error, "the same under the declared damping")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Verdict;
+    use crate::exact::judge_declaring;
+    use crate::runner::SWEEP;
+
+    /// Worst verdict on a thrown sphere with rolling friction a \[m\] that declares another one. While it slips, v̇ = −μ g and ω̇ R = 5/2 g
+    /// (μ − a/R); when it rolls, v̇ = −5/7 g a/R.
+    fn verdict(h: f64, acts: f64, declared: f64) -> Verdict {
+        let part = acts / RADIUS;
+        let ends = SPEED / (GRAVITY * (3.5 * FRICTION - 2.5 * part));
+        let measured = judge_declaring("rolling/five-sevenths", h, &[("rolling_friction", declared, "m")], |scene, index, _, t| {
+            let (slipping, rolling) = (t.min(ends), (t - ends).max(0.0));
+            let slowed = 5.0 / 7.0 * GRAVITY * part * rolling;
+            let velocity = SPEED - FRICTION * GRAVITY * slipping - slowed;
+            let rim = 2.5 * GRAVITY * (FRICTION - part) * slipping - slowed;
+            (scene.bodies[index].position, [1.0, 0.0, 0.0, 0.0], [velocity, 0.0, 0.0], [0.0, rim / RADIUS, 0.0])
+        });
+        measured.iter().map(Measurement::verdict).max().expect("measurements")
+    }
+
+    #[test]
+    fn declared_rolling_friction_is_a_difference_where_it_acts_and_fails_where_it_does_not_or_is_another() {
+        for h in SWEEP {
+            assert_eq!(verdict(h, 0.01, 0.01), Verdict::Difference, "{h}");
+            for acts in [0.0, 0.009, 0.011] {
+                assert_eq!(verdict(h, acts, 0.01), Verdict::Fail, "{acts} at {h}");
+            }
+        }
+    }
 }

@@ -7,8 +7,11 @@
 //!     standing              0 = m g + Σ r_n/h               nothing moves
 //! ```
 
+mod crossed;
+
 use crate::check::{Control, Expected, Run};
 use crate::checks::motion::{Sample, yields};
+use crate::checks::pair::compliant::{self, Approach};
 use crate::checks::pair::meeting::{DURATION, GAP, Meeting, SPEED, in_space, restitution, undamped};
 use crate::checks::rest::taken_back;
 use crate::checks::rolling::{self, RADIUS};
@@ -77,6 +80,18 @@ pub const CHECKS: &[Check] = &[
         source: "closed form of an eccentric impact without friction; Newton's law",
         run: Run::EachStep(struck),
         control: Control { passes: "moreau-jean", fails: "round/height-for-half" },
+    },
+    Check {
+        name: "round/crossed",
+        level: Level::Simulate,
+        question: "Do two rods that lie across each other, capsules and cylinders, push and turn each other where they cross?",
+        derivation: "Without friction the impulse is along the common normal of both axes: W_n = Σ 1/m + a²/J with the arms a from their \
+            middles to where they cross, W_n p = (1 + e)|u_n|, L = l × p. The axes are at right angles, so that the place is the same at \
+            every distance; contacts that last roll on both curves and press later. The scene is turned. A pair of shapes that the engine \
+            does not know is left out.",
+        source: "closed form of the impact at one point",
+        run: Run::EachStep(crossed::crossed),
+        control: Control { passes: "moreau-jean", fails: "round/sides-pass-through" },
     },
 ];
 
@@ -179,7 +194,8 @@ fn strike(bench: &mut Bench, h: f64, words: &str, (target, moment, e): (&Body, f
     let pushed = -meeting.gains[0].impulse;
     let mut measured: Vec<Measurement> = meeting.momenta(words, slack).into_iter().collect();
     measured.extend(meeting.moments(words, [Vector3::x() * LARGE[0], lever], slack));
-    measured.extend(restitution(bench, h, (words, e), pushed.x * inverse_mass / SPEED - 1.0, later, 0.0));
+    let point = compliant::one_point(bench, inverse_mass, &MASSES, h);
+    measured.extend(restitution(bench, h, (words, e), pushed.x * inverse_mass / SPEED - 1.0, later, 0.0, (&point, Approach::usual(h))));
     Ok(measured)
 }
 

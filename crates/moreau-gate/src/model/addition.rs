@@ -120,8 +120,10 @@ mod tests {
     fn what_is_declared_and_not_done_fails_where_it_is_predicted_and_is_not_asked_elsewhere() {
         let own = |addition| Declares { engine: by_name("moreau-jean").expect("listed"), addition: Some(addition) };
         let cases = [
-            ("spin/drilling", ("torsional_friction", 0.01, "m"), "spin/flat-box"),
-            ("rolling/incline", ("rolling_friction", 0.01, "m"), "rolling/five-sevenths"),
+            ("spin/drilling", ("torsional_friction", 0.01, "m"), "pair/oblique-spheres"),
+            ("rolling/incline", ("rolling_friction", 0.01, "m"), "conveyor/sphere"),
+            ("rolling/five-sevenths", ("rolling_friction", 0.01, "m"), "impact/two-spheres"),
+            ("spin/flat-box", ("torsional_friction", 0.01, "m"), "pair/woken"),
             ("incline/stick-threshold", ("static_friction", 1.25, "1"), "isotropy/deceleration"),
         ];
         for (predicted, addition, other) in cases {

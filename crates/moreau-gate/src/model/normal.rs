@@ -18,8 +18,10 @@ pub enum Arms {
 /// One of several equal contacts that carry a body along a common normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Normal {
-    /// m̄ \[kg\], 1/m̄ = Σ 1/m.
+    /// 1/W_n \[kg\] of all of them together: m̄, 1/m̄ = Σ 1/m, if the bodies do not turn.
     pub mass: f64,
+    /// Σ 1/m of the bodies \[1/kg\], which MuJoCo's softness is a multiple of.
+    pub inverse_masses: f64,
     /// What the contact turns, which Drake's SAP scales its softness by.
     pub arms: Arms,
     /// Relative normal acceleration without contact \[m/s²\], −g for a body on the floor.
@@ -40,7 +42,7 @@ impl Normal {
             *arm = (*radius, 1.0 / (0.4 * mass * radius * radius));
         }
         let mass = 1.0 / bodies.iter().map(|(mass, _)| 1.0 / mass).sum::<f64>();
-        Normal { mass, arms: Arms::Spheres(arms), acceleration: -gravity, friction, cone, time_step }
+        Normal { mass, inverse_masses: 1.0 / mass, arms: Arms::Spheres(arms), acceleration: -gravity, friction, cone, time_step }
     }
 
     /// ‖W_ii‖_F/3 \[1/kg\]: normal 1/m̄, both tangents 1/m̄ + Σ (r − δ/2)²/J, as equal stiffnesses put the contact point in the middle of
@@ -76,7 +78,7 @@ impl Normal {
         Some(if pyramid {
             NormalContact::pyramidal(*parameters, self.time_step, self.mass, self.friction)
         } else {
-            NormalContact::elliptic(*parameters, self.time_step, self.mass)
+            NormalContact { diagonal: self.inverse_masses, ..NormalContact::elliptic(*parameters, self.time_step, self.mass) }
         })
     }
 

@@ -29,6 +29,15 @@ pub const PLANTED: &[Planted<Faulty>] = &[
         kind: Kind::Solver,
         subject: Faulty { engine: || with_solver(|| Box::new(Answers(sticking_longer))), caught_by: &["limits/stick"] },
     },
+    Planted {
+        name: "limits/sticks-up-to-0.97",
+        mistake: "lets a contact slide with μ that needs more than 0.97 μ to stick: one of four corners always sticks, a single point does not",
+        kind: Kind::Solver,
+        subject: Faulty {
+            engine: || with_solver(|| Box::new(Answers(moreau_checks::defects::solvers::sticking_up_to_0_97))),
+            caught_by: &["limits/stick"],
+        },
+    },
 ];
 
 fn slowed(scene: &mut Scene, _: &Moment) {

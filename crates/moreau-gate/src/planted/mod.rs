@@ -51,6 +51,7 @@ mod metamorphic;
 mod mistake;
 mod pair;
 mod parts;
+mod points;
 mod projection;
 mod reported;
 mod rocking;
@@ -91,6 +92,7 @@ pub fn all() -> impl Iterator<Item = &'static Planted<Faulty>> {
         pair::PLANTED,
         unmoved::PLANTED,
         round::PLANTED,
+        points::PLANTED,
     ]
     .into_iter()
     .flatten()

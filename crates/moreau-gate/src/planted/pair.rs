@@ -204,7 +204,7 @@ pub const PLANTED: &[Planted<Faulty>] = &[
 ];
 
 /// Changes contacts, given which bodies are spheres and where all of them are.
-type Change = fn(&mut Vec<Contact>, &[bool], &DVector<f64>);
+pub(super) type Change = fn(&mut Vec<Contact>, &[bool], &DVector<f64>);
 
 /// A mechanism whose contacts are changed.
 struct Touching {
@@ -235,14 +235,14 @@ impl Mechanism for Touching {
     }
 }
 
-fn touching(scene: &Scene, change: Change) -> Result<(Box<dyn Mechanism>, State)> {
+pub(super) fn touching(scene: &Scene, change: Change) -> Result<(Box<dyn Mechanism>, State)> {
     let (inner, start) = scene.spatial_mechanism()?;
     let spheres = scene.bodies.iter().map(|body| body.sphere.is_some()).collect();
     Ok((Box::new(Touching { inner, spheres, change }), start))
 }
 
 /// Both bodies of a contact that is not on the ground.
-fn pair(contact: &Contact) -> Option<[usize; 2]> {
+pub(super) fn pair(contact: &Contact) -> Option<[usize; 2]> {
     let (first, second) = contact.place?.bodies;
     Some([first, second?])
 }
@@ -265,7 +265,7 @@ fn unlever_both(contact: &mut Contact) {
     contact.jacobian = rows.into();
 }
 
-fn boxes(contact: &Contact, spheres: &[bool]) -> bool {
+pub(super) fn boxes(contact: &Contact, spheres: &[bool]) -> bool {
     pair(contact).is_some_and(|bodies| bodies.iter().all(|body| !spheres[*body]))
 }
 

@@ -1,10 +1,13 @@
 //! Mistakes about capsules and cylinders.
 
 use crate::planted::friction::world;
+use crate::planted::pair::{pair, touching};
 use crate::planted::parts::with_mechanism;
 use crate::planted::wrapped::Misread;
 use crate::planted::{Faulty, Kind, Planted};
+use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::scenes::Scene;
+use moreau_exact::Result;
 
 /// The mistakes of this family.
 pub const PLANTED: &[Planted<Faulty>] = &[
@@ -34,7 +37,22 @@ pub const PLANTED: &[Planted<Faulty>] = &[
         kind: Kind::Assembly,
         subject: Faulty { engine: || with_mechanism(world::first_touches), caught_by: &["round/standing"] },
     },
+    Planted {
+        name: "round/sides-pass-through",
+        mistake: "has no contact between two capsules",
+        kind: Kind::Scheme,
+        subject: Faulty { engine: || with_mechanism(sides_pass), caught_by: &["round/crossed"] },
+    },
 ];
+
+/// Capsules of which there are no others touch the ground only.
+fn sides_pass(scene: &Scene) -> Result<(Box<dyn Mechanism>, State)> {
+    if scene.bodies.iter().all(|body| body.capsule.is_some()) {
+        touching(scene, |contacts, _, _| contacts.retain(|one| pair(one).is_none()))
+    } else {
+        scene.spatial_mechanism()
+    }
+}
 
 /// Changes the moments of capsules and cylinders, given their mass and their radius and half height.
 fn rods(scene: &mut Scene, change: fn([f64; 3], f64, [f64; 2]) -> [f64; 3]) {

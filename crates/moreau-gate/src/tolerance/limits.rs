@@ -6,3 +6,9 @@
 pub fn lever(full: f64, depth: f64, radius: f64) -> f64 {
     5.0 / 7.0 * full * depth / radius
 }
+
+/// Slip \[m/s\] that is seen at the lever R of a ball that rolls with v = ω ℓ, R − δ ≤ ℓ ≤ R: v δ/R, to first order.
+/// Derived.
+pub fn rim(speed: f64, depth: f64, radius: f64) -> f64 {
+    speed * depth / (radius - depth)
+}

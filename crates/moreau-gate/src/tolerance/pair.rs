@@ -112,3 +112,11 @@ pub fn set_down(gravity: f64, h: f64) -> f64 {
 pub fn lever(size: f64, depth: f64, radius: f64) -> f64 {
     size * depth / radius
 }
+
+/// Error of the speed of fall \[m/s\] of a ball whose support leaves under it with the speed V. A ball that lies at a depth δ is free when
+/// the edge is √(2 R δ) away, since R − √(R² − s²) ≥ ½ s²/R; a step may see the edge one step early or late, a third one is the
+/// push of a step out of δ ≤ 7/2 g h², as in [`set_down`].
+/// Derived.
+pub fn left_behind(depth: f64, radius: f64, speed: f64, gravity: f64, h: f64) -> f64 {
+    gravity * ((2.0 * radius * depth).sqrt() / speed.abs() + 3.0 * h)
+}

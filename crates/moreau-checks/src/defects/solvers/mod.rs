@@ -13,7 +13,7 @@ use moreau_contact::problem::{ContactProblem, Law, Solution};
 use moreau_contact::solvers::{Auto, ContactSolver, ProjectedGaussSeidel};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
-use row_by_row::{along_slip, boxed, by_rows, kinetic, lagged, regularised, row_by_row, turned_to_diagonals};
+use row_by_row::{along_slip, boxed, by_rows, kinetic, lagged, regularised, row_by_row, sliding_early, turned_to_diagonals};
 use std::f64::consts::PI;
 
 /// Solvers, held against the certificate of their answers.
@@ -22,6 +22,15 @@ pub static SOLVERS: Family<Answers> = Family {
     checks: &[("answers/certificate", certified), ("answers/any-start", forgets_its_start), ("answers/any-order", in_any_order)],
     planted: LIST,
 };
+
+/// Sweeps in which a contact that needs more than 0.97 μ r_n to stick slides, with μ r_n: wrong only where a contact is that near to its
+/// limit. It stands beside the list, whose problems have no such contact.
+///
+/// # Errors
+/// Those of the reference, which answers problems that are not Coulomb's in space.
+pub fn sticking_up_to_0_97(problem: &ContactProblem, start: &DVector<f64>) -> Result<Solution> {
+    by_rows(problem, start, sliding_early)
+}
 
 /// One constant per mistake, and the list of all.
 macro_rules! mistakes {

@@ -99,6 +99,12 @@ pub(super) fn lagged(row: &Row, wanted: [f64; 2]) -> [f64; 2] {
     disk(wanted, bound, bound)
 }
 
+/// The friction of a contact that slides as soon as it would need more than 0.97 of what it can hold, with all of that.
+pub(super) fn sliding_early(row: &Row, wanted: [f64; 2]) -> [f64; 2] {
+    let bound = row.friction * row.normal;
+    disk(wanted, 0.97 * bound, bound)
+}
+
 /// Less friction once it slides.
 pub(super) fn kinetic(row: &Row, wanted: [f64; 2]) -> [f64; 2] {
     let bound = row.friction * row.normal;

@@ -12,7 +12,7 @@ pub(in crate::checks) fn angle() -> f64 {
 }
 
 /// A 1 kg box `gap` \[m\] above the plane that falls off in the direction x.
-pub(super) fn slope_box(name: &str, half_extents: [f64; 3], gap: f64, friction: f64) -> Scene {
+pub(in crate::checks) fn slope_box(name: &str, half_extents: [f64; 3], gap: f64, friction: f64) -> Scene {
     let (sine, cosine) = angle().sin_cos();
     let height = half_extents[2] + gap;
     let mut block = cuboid("block", 1.0, half_extents, [height * sine, 0.0, height * cosine]);

@@ -60,7 +60,7 @@ pub(in crate::checks) fn either_side(bench: &mut Bench, h: f64, margin: f64, pla
 }
 
 /// The displacement down the slope over the second half, per time.
-fn creep_of(bench: &mut Bench, h: f64, scene: &Scene, quantity: &str) -> Reply<Measurement> {
+pub(in crate::checks) fn creep_of(bench: &mut Bench, h: f64, scene: &Scene, quantity: &str) -> Reply<Measurement> {
     let slope = slope(scene)?;
     let half = (half_time(bench) / h).round() as usize;
     let motion = bench.simulate(scene, h, 2 * half, half)?;

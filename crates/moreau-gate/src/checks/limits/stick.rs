@@ -6,6 +6,7 @@
 //! ```
 
 use crate::checks::incline::stick::either_side;
+use crate::checks::limits::rim;
 use crate::checks::motion::{Sample, Slope, samples, start_gap};
 use crate::checks::scenery::{GRAVITY, over_floor, schedule, sphere};
 use crate::description::Friction;
@@ -18,30 +19,35 @@ use moreau_dynamics::scenes::{Ground, Scene};
 use nalgebra::Vector3;
 
 /// Distance of μ from the limit, relative: below the difference of static and kinetic friction that engines have had.
-const MARGIN: f64 = 1.0 / 50.0;
+pub(super) const MARGIN: f64 = 1.0 / 50.0;
 /// So flat that the loads of its corners differ by c/a tan α = 0.9 %, less than [`MARGIN`].
 const PLATE: [f64; 3] = [0.4, 0.3, 0.01];
 /// Mass of the ball \[kg\].
-const MASS: f64 = 1.0;
+pub(super) const MASS: f64 = 1.0;
 /// Radius of the ball \[m\]: large against the depth at which a step may leave it.
-const RADIUS: f64 = 1.0;
+pub(super) const RADIUS: f64 = 1.0;
 /// Duration of its motion \[s\].
 const DURATION: f64 = 0.25;
 
 pub(super) fn stick(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let mut measured = either_side(bench, h, MARGIN, PLATE)?;
     measured.push(ball(bench, h)?);
+    measured.extend(rim::ball(bench, h)?);
     Ok(measured)
 }
 
 /// A ball on a slope of 20°, with too little friction to roll.
 fn slipping(bench: &Bench, h: f64) -> Scene {
+    ball_on_slope(bench, h, "ball about to roll", (1.0 - MARGIN) * 20f64.to_radians().tan() / SPHERE)
+}
+
+/// A ball on a slope of 20°, as deep as it lies.
+pub(super) fn ball_on_slope(bench: &Bench, h: f64, name: &str, friction: f64) -> Scene {
     let (sine, cosine) = 20f64.to_radians().sin_cos();
-    let friction = (1.0 - MARGIN) * sine / cosine / SPHERE;
     let height = RADIUS + start_gap(bench, h, (MASS, 1.0), GRAVITY * cosine, friction, 0.0);
     let ball = sphere("ball", MASS, RADIUS, [height * sine, 0.0, height * cosine]);
     let ground = Some(Ground { normal: [sine, 0.0, cosine], offset: 0.0 });
-    Scene { ground, ..over_floor("ball about to roll", vec![ball], friction) }
+    Scene { ground, ..over_floor(name, vec![ball], friction) }
 }
 
 fn ball(bench: &mut Bench, h: f64) -> Reply<Measurement> {

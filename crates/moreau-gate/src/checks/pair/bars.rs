@@ -6,6 +6,7 @@
 //! The edges are horizontal, so that n = z, and they cross a beside the middle of the upper bar and b beside that of the lower one, at
 //! whatever distance they meet. With friction they cross at their middles, a = b = 0, where W_nt = 0, and the upper one slips along itself.
 
+use crate::checks::pair::compliant::{self, Approach};
 use crate::checks::pair::friction;
 use crate::checks::pair::meeting::{DURATION, GAP, Meeting, SPEED, in_space, lasting, opening, restitution, undamped};
 use crate::checks::pair::view::View;
@@ -110,7 +111,8 @@ fn meet(bench: &mut Bench, h: f64, (words, e): (&str, f64), view: &View) -> Repl
     let levers = [Vector3::new(-ARMS[0], 0.0, -SQRT_2 * HALF_THICKNESS), Vector3::new(0.0, ARMS[1], SQRT_2 * HALF_THICKNESS)];
     let off = Expectation::at_most(0.0, turn + tolerance::direction(bench.epsilon()), "the edges' common normal, turned as the bars are");
     let mut measured: Vec<Measurement> = meeting.momenta(words, slack).into_iter().chain(meeting.moments(words, levers, slack)).collect();
-    measured.extend(restitution(bench, h, (words, e), lifted.z * inverse_mass() / SPEED - 1.0, later, 0.0));
+    let edges = compliant::one_point(bench, inverse_mass(), &MASSES, h);
+    measured.extend(restitution(bench, h, (words, e), lifted.z * inverse_mass() / SPEED - 1.0, later, 0.0, (&edges, Approach::usual(h))));
     measured.push(Measurement::new(format!("angle of the impulse to the normal{words}"), "rad", lifted.xy().norm().atan2(lifted.z), off));
     Ok(measured)
 }

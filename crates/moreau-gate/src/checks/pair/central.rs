@@ -6,13 +6,14 @@
 //! A light ball on a heavy box on the floor returns with e v, up to (1 + e) m/M, whether the floor's impact is solved with the ball's or
 //! after it.
 
+use crate::checks::pair::compliant::{self, Approach, balls};
 use crate::checks::pair::meeting::{DURATION, GAP, SPEED, gained, in_space, returned, undamped};
 use crate::checks::pair::strike::Strike;
 use crate::checks::pair::view::View;
-use crate::checks::scenery::{between, cuboid, schedule, sphere};
+use crate::checks::scenery::{cuboid, schedule, sphere};
 use crate::description::Kind;
 use crate::model::Model;
-use crate::model::normal::{Arms, Normal};
+use crate::model::normal::Normal;
 use crate::{Bench, Measurement, Reply};
 use moreau_dynamics::scenes::{Body, Ground, Scene};
 use nalgebra::Vector3;
@@ -68,20 +69,17 @@ pub(super) fn central(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
         }
     }
     if bounces {
-        measured.push(on_the_floor(bench, h)?);
+        measured.extend(on_the_floor(bench, h)?);
     }
     Ok(measured)
 }
-
-/// Points that two faces may touch at: the corners of both.
-const POINTS_OF_FACES: f64 = 8.0;
 
 /// Whether a declared spring and damper at each of n points bears such light bodies in its own steps, n τ c/m̄ < 1 and n τ² k/m̄ < 1.
 fn bears(bench: &Bench, bodies: &[Body; 2], h: f64) -> bool {
     let Model::SpringDamper { stiffness, damping, substep } = Model::of(bench.description()) else { return true };
     let tau = substep.unwrap_or(h);
     let faces = bodies.iter().all(|body| body.cuboid.is_some());
-    let points = if faces { POINTS_OF_FACES } else { 1.0 };
+    let points = if faces { compliant::most_points_of_faces() } else { 1.0 };
     let response = points * bodies.iter().map(|body| 1.0 / body.mass).sum::<f64>();
     tau * damping * response < 1.0 && tau * tau * stiffness * response < 1.0
 }
@@ -100,25 +98,20 @@ fn meet(bench: &mut Bench, h: f64, words: &str, scene: Scene) -> Reply<Vec<Measu
     strike.measured(bench, h, &View::turned(false))
 }
 
-/// The contact that a declared law replays: of one point, and for Drake's SAP, whose softness depends on the levers, of two balls.
-fn springs(bench: &Bench, scene: &Scene, h: f64) -> Option<Normal> {
+/// The contact that a declared law replays: of two balls, of one point, or of two faces.
+fn springs(bench: &Bench, scene: &Scene, h: f64) -> Vec<Normal> {
     let [striker, target] = [&scene.bodies[0], &scene.bodies[1]];
-    let cone = bench.description().friction;
+    let masses = [striker.mass, target.mass];
+    let response = masses.iter().map(|mass| 1.0 / mass).sum();
     match (striker.sphere, target.sphere) {
-        (Some(first), Some(second)) => {
-            Some(Normal::spheres(&[(striker.mass, first.radius), (target.mass, second.radius)], 0.0, 0.0, cone, h))
-        }
-        (None, None) => None,
-        _ if matches!(Model::of(bench.description()), Model::DrakeSap { .. }) => None,
-        _ => {
-            let mass = 1.0 / (1.0 / striker.mass + 1.0 / target.mass);
-            Some(Normal { mass, arms: Arms::Fixed(1.0 / mass), acceleration: 0.0, friction: 0.0, cone, time_step: h })
-        }
+        (Some(first), Some(second)) => balls(bench, [(masses[0], first.radius), (masses[1], second.radius)], h),
+        (None, None) => compliant::faces(bench, response, &masses, h),
+        _ => compliant::one_point(bench, response, &masses, h),
     }
 }
 
 /// A light ball falls on a heavy box that lies on the floor: two pairs touch at once.
-fn on_the_floor(bench: &mut Bench, h: f64) -> Reply<Measurement> {
+fn on_the_floor(bench: &mut Bench, h: f64) -> Reply<Option<Measurement>> {
     let e = IMPACTS[0].1;
     let half = HALVES[1];
     let block = cuboid("box", HEAVY, half, [0.0, 0.0, half[2] + crate::checks::motion::CLEARANCE]);
@@ -128,9 +121,12 @@ fn on_the_floor(bench: &mut Bench, h: f64) -> Reply<Measurement> {
     let scene = Scene { ground, ..in_space("ball on a box on the floor", vec![block, ball], 0.0, e) };
     let motion = bench.simulate(&scene, h, schedule(GAP / SPEED + DURATION, 1, h).0, 1)?;
     let value = gained(&scene, &motion, 1).impulse.z / (LIGHT * SPEED) - 1.0;
-    let compliant = bench.description().contact_model.kind == Kind::Compliant;
-    let law = compliant.then(|| between([0.0, 1.0], 2.0 * LIGHT / HEAVY, "what a compliant contact returns"));
-    Ok(returned(bench, h, (", ball on a box on the floor", e), (value, SPEED), 2.0 * LIGHT / HEAVY, law))
+    let (later, steps) = (2.0 * LIGHT / HEAVY, schedule(GAP / SPEED + DURATION, 1, h).0);
+    let masses = [LIGHT, HEAVY];
+    let contacts = compliant::one_point(bench, 1.0 / LIGHT + 1.0 / HEAVY, &masses, h);
+    let law = compliant::rebound(bench, &contacts, Approach { gap: GAP, speed: SPEED, steps }, later);
+    let asked = law.is_some() || bench.description().contact_model.kind == Kind::Rigid;
+    Ok(asked.then(|| returned(bench, h, (", ball on a box on the floor", e), (value, SPEED), later, law)))
 }
 
 #[cfg(test)]

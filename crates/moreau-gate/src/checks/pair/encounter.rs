@@ -6,11 +6,13 @@
 //! ```
 
 use crate::checks::pair::ball_on_box::{BALL, BOX, HALF, RADIUS};
+use crate::checks::pair::compliant::{self, Approach};
 use crate::checks::pair::meeting::{DURATION, GAP, Meeting, SPEED, lasting, moments_of, opening, restitution};
 use crate::checks::pair::spheres::{MASSES, RADII};
 use crate::checks::pair::{friction, spheres};
 use crate::checks::scenery::{cuboid, over_floor, sphere};
 use crate::description::Friction;
+use crate::model::normal::Normal;
 use crate::tolerance::pair as tolerance;
 use crate::{Bench, Expectation, Measurement};
 use moreau_dynamics::scenes::{Body, Ground, Scene};
@@ -108,6 +110,16 @@ impl Encounter {
         1.0 / (first + second)
     }
 
+    /// The contact under a compliant law; plates are turned by their friction while their corners yield, and are not replayed.
+    fn springs(&self, bench: &Bench, h: f64) -> Vec<Normal> {
+        let masses = self.bodies().map(|body| body.mass);
+        match self.shapes {
+            Shapes::Spheres => compliant::balls(bench, [0, 1].map(|k| (masses[k], RADII[k])), h),
+            Shapes::BallAndBox => compliant::one_point(bench, 1.0 / self.reduced_mass(), &masses, h),
+            Shapes::Plates => Vec::new(),
+        }
+    }
+
     /// What is measured of this encounter, whose bodies are the `place`-th and the next of the scene.
     pub fn measured(&self, bench: &Bench, h: f64, (scene, motion, place): (&Scene, &Trajectory, usize)) -> Vec<Measurement> {
         let pair = if self.swapped { [place + 1, place] } else { [place, place + 1] };
@@ -123,7 +135,15 @@ impl Encounter {
             measured.extend(meeting.moments(&words, [Vector3::x() * reach, Vector3::x() * -other], slack));
         }
         let returned = pushed.x / (self.reduced_mass() * SPEED) - 1.0;
-        measured.extend(restitution(bench, h, (&words, scene_restitution(scene, pair)), returned, contact.later, mu * self.slip));
+        measured.extend(restitution(
+            bench,
+            h,
+            (&words, scene_restitution(scene, pair)),
+            returned,
+            contact.later,
+            mu * self.slip,
+            (&self.springs(bench, h), Approach::usual(h)),
+        ));
         let (ideal, law) = friction::opposed(bench);
         let wider = |one: Expectation| Expectation { tolerance: one.tolerance + contact.aside, ..one };
         let angle = Measurement::new(format!("angle of friction to the slip{words}"), "rad", aside.abs().atan2(along), wider(ideal));

@@ -4,6 +4,7 @@
 //!     p_n = (1 + e) m |u_n| ,    p_t = μ p_n  against the slip;  a plate so flat that friction does not tip it keeps its four corners down
 //! ```
 
+use crate::checks::pair::compliant::{self, Approach};
 use crate::checks::pair::encounter::across;
 use crate::checks::pair::friction;
 use crate::checks::pair::meeting::{GAP, SPEED, restitution, steps};
@@ -65,7 +66,17 @@ pub(super) fn with_the_ground(bench: &mut Bench, h: f64, bouncing: f64) -> Reply
         // the corners of a plate that yield let friction tip it, and give its turning back along the normal
         let tips = k == 1 && bench.description().contact_model.kind == Kind::Compliant;
         let tipped = if tips { tolerance::tipped(mu, [PLATE[0], PLATE[2]]) } else { 0.0 };
-        measured.extend(restitution(bench, h, (&words, e * bouncing), gained.z / SPEED - 1.0, tipped, mu * slip));
+        let corners = || compliant::points(bench, 1.0 / MASS, &[MASS], 4.0, h).into_iter().collect();
+        let springs = if k == 0 { compliant::balls(bench, [(MASS, RADIUS)], h) } else { corners() };
+        measured.extend(restitution(
+            bench,
+            h,
+            (&words, e * bouncing),
+            gained.z / SPEED - 1.0,
+            tipped,
+            mu * slip,
+            (&springs, Approach::usual(h)),
+        ));
         let (ideal, law) = friction::slipping(bench, mu, 0.0);
         let lever = tolerance::apart(SPEED + mu * slip, h) / RADIUS;
         let replays = k == 0 && bench.description().friction != Friction::Pyramid;

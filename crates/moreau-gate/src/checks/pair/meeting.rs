@@ -8,9 +8,11 @@
 
 use crate::checks::impact::declared;
 use crate::checks::motion::{Sample, yields};
+use crate::checks::pair::compliant::{self, Approach};
 use crate::checks::pair::view::View;
 use crate::checks::scenery::{over_floor, schedule};
 use crate::model::Model;
+use crate::model::normal::Normal;
 use crate::model::sliding::hops;
 use crate::model::solid::{box_moments, capsule_moments, cylinder_moments};
 use crate::tolerance::pair as tolerance;
@@ -188,7 +190,8 @@ pub(in crate::checks) fn lasting(bench: &Bench, h: f64) -> f64 {
 }
 
 /// e of an impact at [`SPEED`], from its impulse; a part `later` of the impulse may come later. `slip` is μ times that of the contact
-/// \[m/s\]. None where a hard contact opens by its slip: how much depends on the gap that the step finds.
+/// \[m/s\], and `contacts` what it may be under a compliant law. None where it opens by its slip – how much depends on the gap that the
+/// step finds –, nor where a compliant law is not replayed.
 pub(in crate::checks) fn restitution(
     bench: &Bench,
     h: f64,
@@ -196,16 +199,11 @@ pub(in crate::checks) fn restitution(
     value: f64,
     later: f64,
     slip: f64,
+    (contacts, approach): (&[Normal], Approach),
 ) -> Option<Measurement> {
-    let compliant = bench.description().contact_model.kind == Kind::Compliant;
-    let opening = opening(bench, slip) / SPEED;
-    if opening > 0.0 && !compliant {
-        return None;
-    }
-    let most = 1.0 + opening;
-    let allowed = tolerance::ratio(bench.epsilon()) + later;
-    let between = || Expectation::equal(0.5 * most, 0.5 * most + allowed, "what a compliant contact returns, and opens by its slip");
-    Some(returned(bench, h, (words, e), (value, SPEED), later, compliant.then(between)))
+    let law = compliant::rebound(bench, contacts, approach, later);
+    let asked = bench.description().contact_model.kind == Kind::Rigid || law.is_some();
+    (asked && opening(bench, slip) == 0.0).then(|| returned(bench, h, (words, e), (value, SPEED), later, law))
 }
 
 /// e of an impact at this speed \[m/s\], from its impulse, under what a compliant law returns or a rigid one declares.

@@ -9,9 +9,11 @@
 mod ball_on_box;
 mod bars;
 mod central;
+pub(super) mod compliant;
 mod corner;
 mod directions;
 mod encounter;
+mod faces;
 mod friction;
 mod held;
 mod landings;
@@ -21,7 +23,8 @@ mod off_centre;
 mod planks;
 mod rough;
 mod spheres;
-mod strike;
+pub(super) mod strike;
+mod support;
 pub(super) mod view;
 mod woken;
 
@@ -124,9 +127,10 @@ pub const CHECKS: &[Check] = &[
     Check {
         name: "pair/plank-on-plank",
         level: Level::Simulate,
-        question: "Is a plank that slides on another one braked with μ g, for as long as it slides?",
-        derivation: "The floor holds the lower plank, μ m g ≤ μ (m + M) g. So v_t + μ v_n = v₀ − μ g t for every sequence of normal \
-            impulses, as on the floor itself (incline/slide), whatever contact points carry the plank. A law that hops and \
+        question: "Is a plank that slides on another one, along no edge, braked with μ g against its slide, for as long as it slides?",
+        derivation: "The floor holds the lower plank, μ m g ≤ μ (m + M) g. So ‖v_t‖ + μ v_n = v₀ − μ g t for every sequence of normal \
+            impulses, as on the floor itself (incline/slide), whatever contact points carry the plank. It slides along (4, 3)/5 of its \
+            edges; with d directions of friction the slip turns, and μ cos(π/d) to μ act against it. A law that hops and \
             whose friction softens with the force of each landing brakes with up to that.",
         source: "Coulomb's law and the balance of momentum",
         run: Run::EachStep(planks::plank_on_plank),
@@ -161,6 +165,15 @@ pub const CHECKS: &[Check] = &[
         control: Control { passes: "moreau-jean", fails: "pair/box-has-faces-only-for-balls" },
     },
     Check {
+        name: "pair/faces",
+        level: Level::Simulate,
+        question: "Do two boxes part with e whose faces meet beside their centres, and where does the impulse act?",
+        derivation: "0 ≤ p ⟂ u⁺ + e u⁻ ≥ 0 at every corner of the common part of the faces, u⁻ = −v, u linear in the place. If all part             alike, both boxes have the same spin, which puts the impulse at y = d J₁/(J₁ + J₂) from the first centre, in each direction             along the faces, and W_n = 1/m + 1/M + Σ d²/(J₁ + J₂). That is so if this place is on both faces; otherwise the impulse acts at             the nearest edge of both, and the rest opens faster. The motion is unique, the parts of the corners are not and are not asked;             a test solves the four corners in rationals. Springs press in the middle of the common part, so that compliant laws are asked for equal moments only.",
+        source: "Newton's law at every point; Moreau's impact law of several contacts",
+        run: Run::EachStep(faces::faces),
+        control: Control { passes: "moreau-jean", fails: "pair/faces-bounce-in-the-middle" },
+    },
+    Check {
         name: "pair/rough-corner",
         level: Level::Simulate,
         question: "Does a box that meets the floor or another box with its corner have friction and restitution at the same time?",
@@ -173,6 +186,15 @@ pub const CHECKS: &[Check] = &[
         run: Run::EachStep(corner::corner),
         control: Control { passes: "moreau-jean", fails: "pair/rough-boxes-are-plastic" },
     },
+    Check {
+        name: "pair/support-leaves",
+        level: Level::Simulate,
+        question: "Do balls fall that have rested on a box for two seconds, when it slides away under them?",
+        derivation: "A ball of the box's mass hits the box centrally on a floor without friction, V ≥ v/2. The rear edge passes below the             balls at t₀ and is V τ away after that: R − √(R² − V² τ²) ≥ ½ V² τ²/R > ½ g τ² for V² > g R, so that nothing holds them and             v_z = −g (t − t₀). V and t₀ are read from the box. A ball at a depth δ is free √(2 R δ)/V later; steps see the edge early             or late. Bodies may not sleep, and then, if the engine declares an option for it, they may.",
+        source: "Newton; engines that wake what is hit, and not what loses its support",
+        run: Run::EachStep(support::support_leaves),
+        control: Control { passes: "moreau-jean", fails: "pair/wakes-only-what-is-hit" },
+    },
 ];
 
 /// The derived verdicts that are not `pass`.
@@ -180,6 +202,7 @@ pub const EXPECTED: &[Expected] = &[
     Expected { scheme: "stewart-trinkle", check: "pair/any-direction", verdict: Verdict::Difference, why: ALONG_THE_NEXT_DIRECTION },
     Expected { scheme: "stewart-trinkle", check: "pair/material-pairs", verdict: Verdict::Difference, why: ALONG_THE_NEXT_DIRECTION },
     Expected { scheme: "stewart-trinkle", check: "pair/ball-on-box", verdict: Verdict::Difference, why: ALONG_DIRECTIONS },
+    Expected { scheme: "stewart-trinkle", check: "pair/plank-on-plank", verdict: Verdict::Difference, why: ALONG_DIRECTIONS },
     Expected { scheme: "stewart-trinkle", check: "pair/rough-corner", verdict: Verdict::Difference, why: ALONG_DIRECTIONS },
 ];
 

@@ -6,12 +6,11 @@
 //! The ball flies along n at a place of the box, so that this place is the nearest to its centre whenever they meet. J is given with the
 //! box and is not that of a solid one.
 
+use crate::checks::pair::compliant;
 use crate::checks::pair::meeting::{GAP, SPEED, in_space, undamped};
 use crate::checks::pair::strike::Strike;
 use crate::checks::pair::view::View;
 use crate::checks::scenery::{cuboid, sphere};
-use crate::model::Model;
-use crate::model::normal::{Arms, Normal};
 use crate::{Bench, Measurement, Reply};
 use moreau_dynamics::scenes::{Body, Scene};
 use nalgebra::Vector3;
@@ -49,20 +48,12 @@ pub(super) fn off_centre(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
             let words = format!(", {name}{order}");
             let scene = scene(place, outward, restitution);
             let levers = [-outward * RADIUS, place];
-            let mut strike = Strike { words: &words, scene, normal: -outward, levers, speed: SPEED, spread: 0.0, springs: None };
-            strike.springs = springs(bench, strike.inverse_mass(), h);
+            let mut strike = Strike { words: &words, scene, normal: -outward, levers, speed: SPEED, spread: 0.0, springs: Vec::new() };
+            strike.springs = compliant::one_point(bench, strike.inverse_mass(), &MASSES, h);
             measured.extend(strike.measured(bench, h, &View::turned(reversed))?);
         }
     }
     Ok(measured)
-}
-
-/// The contact under laws that ask for nothing but W_n; MuJoCo's and SAP's softness depends on more.
-fn springs(bench: &Bench, response: f64, h: f64) -> Option<Normal> {
-    let asks_no_more = matches!(Model::of(bench.description()), Model::SpringDamper { .. } | Model::DrakeRegularised { .. });
-    let cone = bench.description().friction;
-    let contact = Normal { mass: 1.0 / response, arms: Arms::Fixed(response), acceleration: 0.0, friction: 0.0, cone, time_step: h };
-    asks_no_more.then_some(contact)
 }
 
 #[cfg(test)]

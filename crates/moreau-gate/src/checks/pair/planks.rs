@@ -1,19 +1,21 @@
 //! A plank that slides on a plank: on the floor, which holds the lower one, or on a floor without friction.
 //!
 //! ```text
-//!     upper   v_t + μ v_n = v₀ − μ g t                   for every sequence of normal impulses, while it slips
+//!     upper   ‖w‖ M/(m + M) + μ v_n = … − μ g t          for every sequence of normal impulses, while it slips with w, along no edge
 //!     lower   held: μ m g ≤ μ (m + M) g
 //!             free: m v + M V = m v₀ ,   V + … = (m/M) μ g t
 //! ```
 
+use crate::checks::conveyor::pyramid;
 use crate::checks::incline::slide::prediction;
 use crate::checks::motion::{Sample, start_gap};
-use crate::checks::scenery::{GRAVITY, cuboid, over_floor};
+use crate::checks::scenery::{GRAVITY, between, cuboid, over_floor};
 use crate::model::Model;
 use crate::model::sliding::hops;
 use crate::tolerance::{impact, incline};
 use crate::{Bench, Expectation, Measurement, Reply};
 use moreau_dynamics::scenes::{Body, PairOverride, Scene};
+use nalgebra::Vector3;
 
 const FRICTION: f64 = 0.3;
 /// Of the upper plank \[m/s\]; it slides all the time.
@@ -26,11 +28,20 @@ const MASSES: [f64; 2] = [1.0, 4.0];
 const UPPER: [f64; 3] = [0.3, 0.2, 0.05];
 const LOWER: [f64; 3] = [1.5, 0.4, 0.1];
 
+/// Where the upper plank starts \[m\]: it stays over the lower one.
+const START: [f64; 2] = [-0.5, -0.15];
+
+/// The direction of the slide, along no edge of the planks.
+fn along() -> Vector3<f64> {
+    Vector3::new(4.0, 3.0, 0.0) / 5.0
+}
+
 /// Both as deep as they lie, by declaration.
 fn scene(bench: &Bench, h: f64) -> Scene {
     let floor = LOWER[2] + start_gap(bench, h, (MASSES[0] + MASSES[1], 4.0), GRAVITY, FRICTION, 0.0);
     let height = floor + LOWER[2] + UPPER[2] + start_gap(bench, h, (MASSES[0], 4.0), GRAVITY, FRICTION, SPEED);
-    let upper = Body { linear_velocity: [SPEED, 0.0, 0.0], ..cuboid("upper", MASSES[0], UPPER, [-0.5, 0.0, height]) };
+    let [x, y] = START;
+    let upper = Body { linear_velocity: (along() * SPEED).into(), ..cuboid("upper", MASSES[0], UPPER, [x, y, height]) };
     over_floor("plank on plank", vec![upper, cuboid("lower", MASSES[1], LOWER, [0.0, 0.0, floor])], FRICTION)
 }
 
@@ -41,46 +52,58 @@ fn end(bench: &mut Bench, scene: &Scene, h: f64) -> Reply<([Sample; 2], f64)> {
     Ok(([0, 1].map(|k| Sample::of(&motion.bodies[k], 1)), steps as f64 * h))
 }
 
-/// (v_t + μ v_n − v₀)/T of the upper plank.
-fn braked(bench: &Bench, h: f64, words: &str, upper: &Sample, time: f64) -> Measurement {
+/// (‖w‖ (M/(m + M)) + μ v_n − …)/T of the upper plank, whose slip w against the lower one of mass M falls by what both feel; a plank that
+/// the floor holds has no M.
+fn braked(bench: &Bench, h: f64, words: &str, [upper, lower]: &[Sample; 2], (share, time): (f64, f64)) -> Measurement {
     let exact = -FRICTION * GRAVITY;
-    let gained = upper.velocity.x + FRICTION * upper.velocity.z - SPEED;
+    let slip = (upper.velocity - lower.velocity).xy().norm();
+    let gained = share * (slip - SPEED) + FRICTION * upper.velocity.z;
     let ideal = Expectation::equal(exact, incline::momentum(GRAVITY), "−μ g, whatever the normal impulses");
     let model = Model::of(bench.description());
     // a law that hops and softens friction with σ w μ n₀ of each landing has some of it
     let softened = matches!(model, Model::DrakeRegularised { .. }) && hops(bench.description());
     let some = || Expectation::equal(0.5 * exact, -0.5 * exact + incline::momentum(GRAVITY), "friction that landings soften, up to μ g");
     let full = || prediction(&model, (FRICTION * GRAVITY, GRAVITY), exact, 0.5 * SPEED, (h, time));
-    let law = if softened { Some(some()) } else { full() };
+    let edged = pyramid(bench).map(|([low, high], why)| {
+        let law = between([low, high].map(|part| part * exact), incline::momentum(GRAVITY), why);
+        Expectation { tolerance: law.tolerance + full().map_or(0.0, |law| law.tolerance), ..law }
+    });
+    let law = if softened { Some(some()) } else { edged.or_else(full) };
     Measurement::new(format!("(v_t + μ v_n)/T of the upper plank, less the initial speed{words}"), "m/s^2", gained / time, ideal)
         .predicted(law)
 }
 
 pub(super) fn plank_on_plank(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     super::meeting::undamped(bench)?;
-    let ([upper, _], time) = end(bench, &scene(bench, h), h)?;
-    let aside = upper.velocity.y.abs();
+    let (planks, time) = end(bench, &scene(bench, h), h)?;
+    let aside = planks[0].velocity.cross(&along()).z.abs();
     let straight = Expectation::at_most(
         0.0,
         incline::momentum(GRAVITY) * time + impact::velocity(bench.epsilon()) * SPEED,
         "friction is opposed to the slip",
     );
-    Ok(vec![braked(bench, h, "", &upper, time), Measurement::new("sideward speed of the upper plank", "m/s", aside, straight)])
+    let mut measured = vec![braked(bench, h, "", &planks, (1.0, time))];
+    // along a pyramid's edges friction is beside the slip
+    if pyramid(bench).is_none() {
+        measured.push(Measurement::new("sideward speed of the upper plank", "m/s", aside, straight));
+    }
+    Ok(measured)
 }
 
 /// The same on a floor that has no friction for the lower plank, which is a pair of its own.
 pub(super) fn on_smooth_floor(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let mut scene = scene(bench, h);
     scene.material.pairs = vec![PairOverride { bodies: ["ground".into(), "lower".into()], friction: Some(0.0), restitution: None }];
-    let ([upper, lower], time) = end(bench, &scene, h)?;
-    let momentum = MASSES[0] * upper.velocity.x + MASSES[1] * lower.velocity.x;
-    let kept = Expectation::equal(
-        MASSES[0] * SPEED,
+    let (planks, time) = end(bench, &scene, h)?;
+    let momentum = (planks[0].velocity * MASSES[0] + planks[1].velocity * MASSES[1]).xy();
+    let kept_along = (momentum - along().xy() * (MASSES[0] * SPEED)).norm();
+    let kept = Expectation::at_most(
+        0.0,
         impact::velocity(bench.epsilon()) * MASSES[0] * SPEED + incline::momentum(GRAVITY) * time * MASSES[0],
         "the floor has no friction, and the planks' is opposite",
     );
     Ok(vec![
-        braked(bench, h, ", on a floor without friction", &upper, time),
-        Measurement::new("momentum along the floor of both planks", "kg*m/s", momentum, kept),
+        braked(bench, h, ", on a floor without friction", &planks, (MASSES[1] / (MASSES[0] + MASSES[1]), time)),
+        Measurement::new("change of momentum along the floor of both planks", "kg*m/s", kept_along, kept),
     ])
 }

@@ -6,6 +6,7 @@
 //! n = x, and friction on the second body acts along y.
 
 use crate::checks::motion::yields;
+use crate::checks::pair::compliant::{self, Approach};
 use crate::checks::pair::friction;
 use crate::checks::pair::meeting::{DURATION, Meeting, SPEED, lasting, restitution};
 use crate::tolerance::pair as tolerance;
@@ -67,7 +68,16 @@ impl Rough<'_> {
             measured.extend(meeting.momenta(words, slack));
         }
         measured.extend(meeting.moments(words, levers, slack).into_iter().take(if on_floor { 1 } else { 2 }));
-        measured.extend(restitution(bench, h, (words, self.e), pushed.x / (mean * SPEED) - 1.0, later, self.mu * self.slip));
+        let point = compliant::one_point(bench, self.inverse_mass(), &self.masses, h);
+        measured.extend(restitution(
+            bench,
+            h,
+            (words, self.e),
+            pushed.x / (mean * SPEED) - 1.0,
+            later,
+            self.mu * self.slip,
+            (&point, Approach::usual(h)),
+        ));
         let (ideal, law) = friction::opposed(bench);
         let angle = pushed.z.abs().atan2(pushed.y);
         measured.push(Measurement::new(format!("angle of friction to the slip{words}"), "rad", angle, ideal).predicted(law));

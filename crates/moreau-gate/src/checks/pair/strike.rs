@@ -6,19 +6,19 @@
 //! The striker does not spin and flies along n, which is therefore exact whenever the bodies meet.
 
 use crate::checks::motion::yields;
+use crate::checks::pair::compliant::{self, Approach};
 use crate::checks::pair::meeting::{DURATION, GAP, Meeting, lasting, moments_of, returned};
 use crate::checks::pair::view::{View, oriented};
-use crate::checks::scenery::between;
+use crate::checks::scenery::schedule;
 use crate::description::Kind;
-use crate::model::Model;
 use crate::model::normal::Normal;
-use crate::tolerance::{ball, pair as tolerance};
+use crate::tolerance::pair as tolerance;
 use crate::{Bench, Expectation, Measurement, Reply};
-use moreau_dynamics::scenes::Scene;
+use moreau_dynamics::scenes::{Body, Scene};
 use nalgebra::Vector3;
 
 /// One impact.
-pub(super) struct Strike<'a> {
+pub(in crate::checks) struct Strike<'a> {
     pub words: &'a str,
     /// Striker and target, which is [`GAP`] away along n.
     pub scene: Scene,
@@ -28,8 +28,8 @@ pub(super) struct Strike<'a> {
     pub speed: f64,
     /// Distance \[m\] of the farthest of several points from the line of impact; 0 for one point.
     pub spread: f64,
-    /// The compliant contact, where a declared law replays it.
-    pub springs: Option<Normal>,
+    /// The compliant contact, or several that it may be, where a declared law replays it.
+    pub springs: Vec<Normal>,
 }
 
 /// What the bodies do to the contact while it lasts.
@@ -40,6 +40,12 @@ struct Turning {
     slack: f64,
     /// Part of the impulse that comes later, or is another one when the bodies have turned.
     later: f64,
+}
+
+/// 1/R \[1/m\] of a round body, over which a contact turns its normal as it moves.
+fn curvature(body: &Body) -> Option<f64> {
+    let rod = body.capsule.map(|one| one.radius).or(body.cylinder.map(|one| one.radius));
+    body.sphere.map(|one| one.radius).or(rod).map(f64::recip)
 }
 
 impl Strike<'_> {
@@ -71,8 +77,11 @@ impl Strike<'_> {
         let straight = Expectation::at_most(0.0, off, "without friction the impulse is along the normal");
         let momenta = meeting.momenta(self.words, turning.slack).into_iter();
         let mut measured: Vec<Measurement> = momenta.chain(meeting.moments(self.words, self.levers, turning.slack)).collect();
-        let law = self.law(bench, h, time);
-        measured.push(returned(bench, h, (self.words, self.scene.material.restitution), (value, self.speed), turning.later, law));
+        let steps = schedule(time, 1, h).0;
+        let law = compliant::rebound(bench, &self.springs, Approach { gap: GAP, speed: self.speed, steps }, turning.later);
+        if law.is_some() || bench.description().contact_model.kind == Kind::Rigid {
+            measured.push(returned(bench, h, (self.words, self.scene.material.restitution), (value, self.speed), turning.later, law));
+        }
         measured.push(Measurement::new(format!("angle of the impulse to the normal{}", self.words), "rad", angle, straight));
         Ok(measured)
     }
@@ -83,28 +92,12 @@ impl Strike<'_> {
         let spins = [0, 1].map(|k| most * self.spin(k).norm());
         let slides: f64 = (0..2).map(|k| spins[k] * self.levers[k].norm()).sum();
         let spin = spins[0] + spins[1];
-        let round = self.scene.bodies.iter().filter_map(|body| body.sphere).map(|sphere| slides / sphere.radius).fold(0.0, f64::max);
+        let round = self.scene.bodies.iter().filter_map(curvature).map(|curvature| slides * curvature).fold(0.0, f64::max);
         let closing = (3.0 * spin + round) * slides;
         // what parts with e > 0 is not pressed again, but an implicit step has turned the bodies already
         let parts = self.scene.material.restitution > 0.0 && !yields(bench);
         let later = tolerance::later(closing, if parts { h } else { DURATION }, self.speed);
         let time = lasting(bench, h) + later * DURATION;
         Turning { angle: (spin + round) * time, slack: solved + most * slides * time, later }
-    }
-
-    /// What a compliant law returns of the speed: its replay, or anything between nothing and all of it.
-    fn law(&self, bench: &Bench, h: f64, time: f64) -> Option<Expectation> {
-        if bench.description().contact_model.kind != Kind::Compliant {
-            return None;
-        }
-        let steps = crate::checks::scenery::schedule(time, 1, h).0;
-        let model = Model::of(bench.description());
-        let replays = self.springs.as_ref().and_then(|contact| contact.replays(&model, GAP, -self.speed, steps));
-        let ends = replays.map(|all| all.iter().filter_map(|states| states.last()).map(|(_, v)| v / self.speed).collect::<Vec<_>>());
-        let allowed = tolerance::ratio(bench.epsilon()) + ball::replay(steps, bench.epsilon()) + self.turning(bench, h).later;
-        Some(match ends {
-            Some(ends) if !ends.is_empty() => between(ends, allowed, "replay of the declared law's discrete map"),
-            _ => between([0.0, 1.0], allowed, "what a compliant contact returns"),
-        })
     }
 }

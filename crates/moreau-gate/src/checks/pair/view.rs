@@ -5,6 +5,7 @@
 //! ```
 //! No law of mechanics tells the two apart. A geometry of boxes that are not turned, or of the first body's shape, does.
 
+use crate::checks::motion::Sample;
 use moreau_dynamics::scenes::{Body, Scene};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
@@ -36,6 +37,24 @@ impl View {
             seen.bodies.reverse();
         }
         seen
+    }
+
+    /// The scene with its gravity and its prescribed velocities, too: the same motion, seen from elsewhere. A ground is left as it is.
+    pub fn of_all(&self, scene: &Scene) -> Scene {
+        let mut seen = self.of(scene);
+        seen.gravity = (self.turn * Vector3::from(scene.gravity)).into();
+        for prescribed in seen.bodies.iter_mut().filter_map(|body| body.prescribed.as_mut()) {
+            for vector in [&mut prescribed.velocity, &mut prescribed.angular_velocity] {
+                *vector = (self.turn * Vector3::from(*vector)).into();
+            }
+        }
+        seen
+    }
+
+    /// What a body of that motion does in the scene as it is.
+    pub fn back(&self, seen: &Sample) -> Sample {
+        let back = self.turn.inverse();
+        Sample { position: back * seen.position, rotation: back * seen.rotation, velocity: back * seen.velocity, spin: back * seen.spin }
     }
 
     fn turn_body(&self, body: &mut Body) {

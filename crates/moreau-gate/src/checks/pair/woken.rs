@@ -6,6 +6,7 @@
 //! ```
 
 use crate::checks::motion::{CLEARANCE, Sample, start_gap};
+use crate::checks::pair::compliant::{self, Approach};
 use crate::checks::pair::meeting::{DURATION, GAP, SPEED, in_space, restitution, undamped};
 use crate::checks::scenery::{GRAVITY, over_floor, schedule, sphere};
 use crate::tolerance::{flight, impact, incline};
@@ -67,7 +68,9 @@ fn hit(bench: &Bench, h: f64, words: &str, [woken, visitor]: [f64; 2], solved: f
     let change = (MASS * (woken + visitor - SPEED)).abs();
     let kept = Expectation::at_most(0.0, allowed, "the impulses of the impact are opposite, and nothing else acts along the floor");
     let mut measured = vec![Measurement::new(format!("change of momentum{words}"), "kg*m/s", change, kept)];
-    measured.extend(restitution(bench, h, (words, 0.0), 2.0 * woken / SPEED - 1.0, 2.0 * solved, 0.0));
+    let approach = Approach { gap: GAP + SPEED * REST, speed: SPEED, steps: schedule(REST + DURATION, 1, h).0 };
+    let contact = compliant::balls(bench, [(MASS, RADIUS); 2], h);
+    measured.extend(restitution(bench, h, (words, 0.0), 2.0 * woken / SPEED - 1.0, 2.0 * solved, 0.0, (&contact, approach)));
     measured
 }
 

@@ -4,12 +4,14 @@
 //!     corners at (±a, ±b):  N₁ = N₃ , N₂ = N₄ by the balance of moments,  so that the friction of opposite corners is opposite
 //!     J ω̇ = −μ ρ Σ N ,  J = ⅓ m ρ² ,  ρ² = a² + b² ,  Σ N = m (g + v̇_z)
 //!     ⇒   ⅓ ρ (ω₀ − ω) − μ v_z = μ g t     for every load of the corners and every sequence of normal impulses
+//!     a declared moment of a N at every point:   μ + a/ρ for μ
 //! ```
 
 use crate::checks::motion::{Sample, start_gap};
 use crate::checks::scenery::{GRAVITY, cuboid, over_floor};
 use crate::description::Friction;
 use crate::model::Model;
+use crate::model::addition::Addition;
 use crate::model::sliding::{full_slip, hops};
 use crate::model::springs::swinging;
 use crate::tolerance::{flight, spin as tolerance};
@@ -55,7 +57,18 @@ fn on_a_slab(bench: &Bench, h: f64) -> Scene {
     over_floor("box spun flat on a slab", vec![spun(bench, h, floor + SLAB[2]), slab], FRICTION)
 }
 
+/// a \[m\] of a declared friction against turning, if the check predicts what it does beside that of the corners.
+fn torsion(bench: &Bench) -> f64 {
+    let description = bench.description();
+    let apart = matches!(Model::of(description), Model::Coulomb(_)) && description.friction == Friction::Cone;
+    if apart { Addition::TorsionalFriction.declared(description) } else { 0.0 }
+}
+
 pub(super) fn flat_box(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
+    if torsion(bench) > 0.0 {
+        bench.predicts(&[Addition::TorsionalFriction]);
+        bench.without_damping()?;
+    }
     let scenes = [("", on_the_floor(bench, h)), (", on a slab", on_a_slab(bench, h))];
     let mut measured = stopped(bench, h, scenes[0].0, &scenes[0].1)?;
     // an engine that knows one box only is judged by it
@@ -96,6 +109,12 @@ fn slipping(bench: &Bench, full: f64, h: f64, (time, rising): (f64, f64)) -> Opt
     let shorter = full * ratio + FRICTION * rising * (ratio - 1.0) / time;
     let weakest = std::f64::consts::FRAC_1_SQRT_2;
     match model {
+        // every point turns with a p_n beside its friction, whatever it carries: (μ + a/ρ) (g t + v_z)
+        Model::Coulomb(_) if torsion(bench) > 0.0 => {
+            let beside = torsion(bench) / reach(0.0);
+            let braked = full + beside * (GRAVITY + rising / time);
+            Some((braked, braked, "friction of the corners, and the declared torsional friction"))
+        }
         Model::Coulomb(limits) if limits.angular_damping > 0.0 => {
             let rate = limits.angular_damping;
             let third = reach(0.0) / 3.0;
@@ -142,13 +161,17 @@ fn left(bench: &Bench, h: f64) -> Option<Expectation> {
 mod tests {
     use super::*;
     use crate::Verdict;
-    use crate::exact::judge;
+    use crate::exact::judge_declaring;
     use crate::runner::SWEEP;
     use nalgebra::{UnitQuaternion, Vector3};
 
     fn verdicts(h: f64, friction: f64) -> Vec<Verdict> {
+        declaring(h, friction, &[])
+    }
+
+    fn declaring(h: f64, friction: f64, declared: &[(&str, f64, &str)]) -> Vec<Verdict> {
         let rate = 3.0 * friction * GRAVITY / reach(0.0);
-        let measured = judge("spin/flat-box", h, |scene, index, _, t| {
+        let measured = judge_declaring("spin/flat-box", h, declared, |scene, index, _, t| {
             let body = &scene.bodies[index];
             if index == 1 {
                 return (body.position, body.orientation, [0.0; 3], [0.0; 3]);
@@ -158,6 +181,18 @@ mod tests {
             (body.position, [turned.w, turned.i, turned.j, turned.k], [0.0; 3], [0.0, 0.0, SPIN - rate * slipping])
         });
         measured.iter().map(Measurement::verdict).collect()
+    }
+
+    #[test]
+    fn declared_torsional_friction_stops_the_box_sooner_and_fails_where_it_does_not_act() {
+        // a = 1/10 m beside the corners at √(5/4) m
+        let together = FRICTION + 0.1 / 1.25f64.sqrt();
+        let declared = [("torsional_friction", 0.1, "m")];
+        for h in SWEEP {
+            let found = declaring(h, together, &declared);
+            assert_eq!(found, [Verdict::Difference, Verdict::Pass, Verdict::Difference, Verdict::Pass], "{h}");
+            assert_eq!(declaring(h, FRICTION, &declared)[0], Verdict::Fail, "{h}");
+        }
     }
 
     #[test]

@@ -1,0 +1,76 @@
+//! What a compliant contact returns of the speed of approach: replays of its declared law's discrete map.
+//!
+//! ```text
+//!     n equal points that open and close alike answer as one with 1/(n W_n) for the mass:   v⁺ = v + n r(δ, v) W_n
+//! ```
+//! A law's map needs W_n, and MuJoCo's Σ 1/m of the bodies. The softness of Drake's SAP depends on the inertia in the axes of the world, too,
+//! so that it is replayed for balls only. Where friction lifts a contact off, its rebound is not replayed. What is not replayed is not asked:
+//! a bound that every rebound keeps says nothing.
+
+use crate::Bench;
+use crate::Expectation;
+use crate::checks::pair::meeting::{GAP, SPEED, steps};
+use crate::checks::scenery::between;
+use crate::model::Model;
+use crate::model::normal::{Arms, Normal};
+use crate::tolerance::{ball, pair as tolerance};
+
+/// Points that two faces may touch at: the corners of their common part, each once or once for either box.
+const POINTS_OF_FACES: [f64; 2] = [4.0, 8.0];
+
+/// How bodies approach whose contact is replayed.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::checks) struct Approach {
+    /// \[m\].
+    pub gap: f64,
+    /// \[m/s\].
+    pub speed: f64,
+    /// Steps of the whole motion.
+    pub steps: usize,
+}
+
+impl Approach {
+    /// Over [`GAP`] with [`SPEED`].
+    pub fn usual(h: f64) -> Self {
+        Approach { gap: GAP, speed: SPEED, steps: steps(h) }
+    }
+}
+
+/// One point with W_n = `response` \[1/kg\] between bodies of these masses \[kg\], or several points that answer as it does; none under
+/// Drake's SAP.
+pub(in crate::checks) fn points(bench: &Bench, response: f64, masses: &[f64], count: f64, h: f64) -> Option<Normal> {
+    let (mass, cone) = (1.0 / (count * response), bench.description().friction);
+    let inverse_masses = masses.iter().map(|mass| 1.0 / mass).sum();
+    let contact = Normal { mass, inverse_masses, arms: Arms::Fixed(response), acceleration: 0.0, friction: 0.0, cone, time_step: h };
+    (!matches!(Model::of(bench.description()), Model::DrakeSap { .. })).then_some(contact)
+}
+
+/// One point.
+pub(in crate::checks) fn one_point(bench: &Bench, response: f64, masses: &[f64], h: f64) -> Vec<Normal> {
+    points(bench, response, masses, 1.0, h).into_iter().collect()
+}
+
+/// Two solid balls of (mass \[kg\], radius \[m\]), or one on a floor.
+pub(in crate::checks) fn balls<const N: usize>(bench: &Bench, bodies: [(f64, f64); N], h: f64) -> Vec<Normal> {
+    vec![Normal::spheres(&bodies, 0.0, 0.0, bench.description().friction, h)]
+}
+
+/// Two faces that stay parallel, at all numbers of points that they may touch at.
+pub(in crate::checks) fn faces(bench: &Bench, response: f64, masses: &[f64], h: f64) -> Vec<Normal> {
+    POINTS_OF_FACES.iter().filter_map(|count| points(bench, response, masses, *count, h)).collect()
+}
+
+/// The most points that two faces may touch at.
+pub(in crate::checks) fn most_points_of_faces() -> f64 {
+    POINTS_OF_FACES[1]
+}
+
+/// e of the contacts, anything between that of each; a part `later` of the impulse may come later. None if the law is not replayed.
+pub(in crate::checks) fn rebound(bench: &Bench, contacts: &[Normal], approach: Approach, later: f64) -> Option<Expectation> {
+    let Approach { gap, speed, steps } = approach;
+    let model = Model::of(bench.description());
+    let replays = contacts.iter().filter_map(|contact| contact.replays(&model, gap, -speed, steps)).flatten();
+    let ends: Vec<f64> = replays.filter_map(|states| states.last().map(|(_, velocity)| velocity / speed)).collect();
+    let allowed = tolerance::ratio(bench.epsilon()) + ball::replay(steps, bench.epsilon()) + later;
+    (!ends.is_empty()).then(|| between(ends, allowed, "replay of the declared law's discrete map"))
+}
