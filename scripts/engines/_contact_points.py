@@ -106,6 +106,27 @@ def sphere_capsule(sphere, capsule):
     return sphere_sphere((radius, x, turn), (other_radius, along(y, place, axis), other_turn))
 
 
+def capsule_capsule(one, other):
+    """The point where the axes are next to each other; two, the ends of the overlap, of parallels."""
+    ((radius, half), x, turn), ((other_radius, other_half), y, other_turn) = one, other
+    u, v, between = _column(turn, 2), _column(other_turn, 2), along(y, -1.0, x)
+    cosine, ahead, behind = dot(u, v), dot(between, u), dot(between, v)
+    squared_sine = 1.0 - cosine * cosine
+
+    def touch(place):
+        """Sphere against the second capsule, at a place on the first one's axis."""
+        ball = (radius, along(x, place, u), turn)
+        return sphere_capsule(ball, other)[0]
+
+    if squared_sine <= PREFERENCE:
+        low = max(-half, ahead - other_half)
+        high = min(half, ahead + other_half)
+        return [touch(low), touch(high)] if low < high else [touch(min(max(ahead, -half), half))]
+    place = min(max((ahead - cosine * behind) / squared_sine, -half), half)
+    beside = min(max(place * cosine - behind, -other_half), other_half)
+    return [touch(min(max(ahead + beside * cosine, -half), half))]
+
+
 def sphere_cylinder(sphere, cylinder):
     """One point, opposite the point of the cylinder that is closest to the centre."""
     (radius, x, _), ((rim, half_height), y, turn) = sphere, cylinder

@@ -26,6 +26,7 @@ POINTS = {
     ("sphere", "box"): (contact.sphere_box, 1),
     ("sphere", "capsule"): (contact.sphere_capsule, 1),
     ("sphere", "cylinder"): (contact.sphere_cylinder, 1),
+    ("capsule", "capsule"): (contact.capsule_capsule, 2),
     ("box", "box"): (contact.box_box, contact.MOST_POINTS),
 }
 """The function for each pair of shapes, or shape and ground, and the most points it gives."""

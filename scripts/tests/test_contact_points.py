@@ -91,6 +91,35 @@ class Points(unittest.TestCase):
         end = self.only(contact.sphere_capsule((0.25, [0.6, 0, 1.8], UPRIGHT), capsule))
         self.near([end[0], *end[2]], [0.25, 0.6, 0, 0.8])
 
+    def test_capsules_touch_where_their_axes_are_next_to_each_other(self):
+        rng = random.Random(11)
+
+        def point(capsule, place):
+            (_, half), x, turn = capsule
+            return [x[i] + place * half * turn[i][2] for i in range(3)]
+
+        for _ in range(40):
+            pair = []
+            for size in ((0.25, 0.5), (0.125, 1.0)):
+                axis = [rng.gauss(0, 1) for _ in range(3)]
+                length = math.hypot(*axis)
+                pair.append((size, [rng.uniform(-1, 1) for _ in range(3)],
+                             about([c / length for c in axis], rng.uniform(0, math.pi))))
+            gap = self.only(contact.capsule_capsule(*pair))[0]
+            places = [k / 40 for k in range(-40, 41)]
+            nearest = min(math.dist(point(pair[0], a), point(pair[1], b))
+                          for a in places for b in places) - 0.375
+            self.assertLessEqual(gap, nearest + 1e-12)
+            self.assertGreater(gap, nearest - 0.025)  # the ways between the places of the search
+
+    def test_parallel_capsules_touch_at_the_ends_of_their_overlap(self):
+        pair = [((0.25, 0.5), [1.0, 0, 0.75], UPRIGHT), ((0.25, 0.5), [0, 0, 0], UPRIGHT)]
+        for (one, other), side in ((pair, 1), (pair[::-1], -1)):
+            points = contact.capsule_capsule(one, other)
+            self.near(sorted(p[1][2] for p in points), [0.25, 0.5])
+            for gap, _, normal in points:
+                self.near([gap, *normal], [0.5, side, 0, 0])
+
     def test_a_sphere_touches_a_cylinder_at_its_side_its_face_or_its_rim(self):
         cylinder = ((0.5, 1.0), [0, 0, 0], UPRIGHT)
 
