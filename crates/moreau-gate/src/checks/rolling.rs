@@ -84,7 +84,7 @@ fn throw(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let motion = bench.simulate(&thrown(bench, h), h, steps_to_rolling(h), 1)?;
     let states = samples(&motion.bodies[0]);
     let rolling = Addition::RollingFriction.declared(bench.description());
-    let measured = thrown_along(bench, &states, h);
+    let measured = thrown_along(bench, &states, [1.0; 2], h);
     Ok(if rolling > 0.0 { resisted(measured, &states, rolling, h) } else { measured })
 }
 
@@ -113,8 +113,8 @@ pub(super) fn steps_to_rolling(h: f64) -> usize {
 }
 
 /// What is measured of a sphere that begins with [`SPEED`] along x, without spin, against a level surface at z = 0; the states after every
-/// step in the frame of this surface.
-pub(super) fn thrown_along(bench: &Bench, states: &[Sample], h: f64) -> Vec<Measurement> {
+/// step in the frame of this surface. `cone` is the least and the greatest friction over μ in the direction of a slip that x may become.
+pub(super) fn thrown_along(bench: &Bench, states: &[Sample], cone: [f64; 2], h: f64) -> Vec<Measurement> {
     let end = states[states.len() - 1];
     let depth = Depth::of(states.iter().map(|state| RADIUS - state.position.z));
     let allowed = tolerance::speed(SPEED);
@@ -128,7 +128,7 @@ pub(super) fn thrown_along(bench: &Bench, states: &[Sample], h: f64) -> Vec<Meas
             .predicted(lever.map(|depth| speed(depth, LEVER))),
         Measurement::new("final slip", "m/s", slip(&end), spun(rigid, "v = ω ℓ, with the lever of the contact"))
             .predicted(lever.map(|depth| spun(depth, LEVER))),
-        time_to_rolling(bench, states, depth, h),
+        time_to_rolling(bench, states, (depth, cone), h),
     ]
 }
 
@@ -179,21 +179,31 @@ impl Depth {
 }
 
 /// The first sample at which the slip is gone, or too small for the declared law's full friction.
-fn time_to_rolling(bench: &Bench, states: &[Sample], depth: Depth, h: f64) -> Measurement {
+fn time_to_rolling(bench: &Bench, states: &[Sample], (depth, [weak, strong]): (Depth, [f64; 2]), h: f64) -> Measurement {
     let rate = SPHERE * FRICTION * GRAVITY;
     let full = full_slip(bench.description(), rate, h);
     let transition = (SPEED - full) / rate;
-    let found = states.iter().position(|state| slip(state) <= full + tolerance::no_slip(rate, h));
+    let found = states.iter().position(|state| left(state) <= full + tolerance::no_slip(rate, h));
     let measured = found.map_or(f64::INFINITY, |k| k as f64 * h);
     let allowed = tolerance::transition(h) + tolerance::later(transition, depth.of_rigid(GRAVITY, h).size(), RADIUS);
     let ideal = Expectation::equal(transition, allowed, "2 v₀/(7 μ g), less the time of slips too small for full friction");
     let measurement = Measurement::new("time to rolling", "s", measured, ideal);
-    let Some(k) = found.filter(|k| *k > 0 && (hops(bench.description()) || yields(bench))) else { return measurement };
+    let edged = weak < strong;
+    let Some(k) = found.filter(|k| *k > 0 && (edged || hops(bench.description()) || yields(bench))) else { return measurement };
     // Still slipping at sample k − 1, no more at k: 7/2 μ (g t + v_n) passes v₀ between them.
     let [late, early] = [k - 1, k].map(|k| transition - states[k].velocity.z / GRAVITY);
-    let (low, high) = (early.min(late), early.max(late));
+    let (low, high) = (early.min(late) / strong, early.max(late) / weak);
     let allowed = 0.5 * (high - low) + tolerance::transition(h) + tolerance::later(transition, depth.size(), RADIUS);
-    measurement.predicted(Some(Expectation::equal(0.5 * (low + high), allowed, "the same, less v_n/g of a hop, with the lever R − δ")))
+    measurement.predicted(Some(Expectation::equal(
+        0.5 * (low + high),
+        allowed,
+        "the same, less v_n/g of a hop, with the lever R − δ and the declared cone",
+    )))
+}
+
+/// The slip that is left \[m/s\], along x until it is gone and across.
+fn left(state: &Sample) -> f64 {
+    state.velocity_at(Vector3::new(0.0, 0.0, -RADIUS)).y.hypot(slip(state).max(0.0))
 }
 
 /// Velocity of the sphere's lowest point along x \[m/s\].
