@@ -1,13 +1,17 @@
-"""Contact points of spheres, boxes and a half-space, exact for the shapes; standard library only.
+"""Contact points of spheres, boxes, capsules, cylinders and a half-space, exact for the shapes;
+standard library only.
 
 For engines that are told where bodies touch.  A body is (shape, position x, rotation R), R a list
-of rows that takes body to world coordinates, the shape a radius or three half extents.  Every
-function returns contact points (gap, point, normal): the gap is negative when bodies overlap, the
+of rows that takes body to world coordinates, the shape a radius, three half extents, or radius and
+half height (r, l) of a capsule or cylinder along the body's z axis.  Every function returns contact points (gap, point, normal): the gap is negative when bodies overlap, the
 normal leads from the second body to the first, the point lies on one of the two.
 
 Boxes: of the fifteen axes that can separate two boxes the one with the largest separation is the
 normal.  If it belongs to a face, the points are the corners of the opposite face cut to that face's
 prism; if it belongs to two edges, the point is where they are closest.
+
+A cylinder on the ground: on the rim of each end the lowest point and those a quarter, a half and
+three quarters of a turn further, so that it lies on two and stands on four.
 """
 
 import math
@@ -64,6 +68,81 @@ def box_ground(box, ground):
         corner = [x[i] + dot(turn[i], local) for i in range(3)]
         points.append((dot(normal, corner) - offset, corner, normal))
     return points
+
+
+def capsule_ground(capsule, ground):
+    """One point below the middle of each half ball."""
+    return [sphere_ground(ball, ground)[0] for ball in _half_balls(capsule)]
+
+
+def _half_balls(capsule):
+    (radius, half_height), x, turn = capsule
+    axis = _column(turn, 2)
+    return [(radius, along(x, sign * half_height, axis), turn) for sign in (-1.0, 1.0)]
+
+
+def cylinder_ground(cylinder, ground):
+    """Four points on the rim of each end, the lowest of it among them."""
+    ((radius, half_height), x, turn), (normal, offset) = cylinder, ground
+    axis = _column(turn, 2)
+    across = along(normal, -dot(normal, axis), axis)
+    length = math.hypot(*across)
+    # upright to rounding every point of the rim is as low: one that turns with the body stays
+    down = [-c / length for c in across] if length > PREFERENCE else _column(turn, 0)
+    aside, points = cross(axis, down), []
+    for sign in (-1.0, 1.0):
+        centre = along(x, sign * half_height, axis)
+        for share, other in ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)):
+            point = along(along(centre, share * radius, down), other * radius, aside)
+            points.append((dot(normal, point) - offset, point, normal))
+    return points
+
+
+def sphere_capsule(sphere, capsule):
+    """One point, on the line from the centre to the nearest point of the capsule's axis."""
+    (radius, x, turn), ((other_radius, half_height), y, other_turn) = sphere, capsule
+    axis = _column(other_turn, 2)
+    place = min(max(dot(axis, along(x, -1.0, y)), -half_height), half_height)
+    return sphere_sphere((radius, x, turn), (other_radius, along(y, place, axis), other_turn))
+
+
+def capsule_capsule(one, other):
+    """The point where the axes are next to each other; two, the ends of the overlap, of parallels."""
+    ((radius, half), x, turn), ((other_radius, other_half), y, other_turn) = one, other
+    u, v, between = _column(turn, 2), _column(other_turn, 2), along(y, -1.0, x)
+    cosine, ahead, behind = dot(u, v), dot(between, u), dot(between, v)
+    squared_sine = 1.0 - cosine * cosine
+
+    def touch(place):
+        """Sphere against the second capsule, at a place on the first one's axis."""
+        ball = (radius, along(x, place, u), turn)
+        return sphere_capsule(ball, other)[0]
+
+    if squared_sine <= PREFERENCE:
+        low = max(-half, ahead - other_half)
+        high = min(half, ahead + other_half)
+        return [touch(low), touch(high)] if low < high else [touch(min(max(ahead, -half), half))]
+    place = min(max((ahead - cosine * behind) / squared_sine, -half), half)
+    beside = min(max(place * cosine - behind, -other_half), other_half)
+    return [touch(min(max(ahead + beside * cosine, -half), half))]
+
+
+def sphere_cylinder(sphere, cylinder):
+    """One point, opposite the point of the cylinder that is closest to the centre."""
+    (radius, x, _), ((rim, half_height), y, turn) = sphere, cylinder
+    away, axis = along(x, -1.0, y), _column(turn, 2)
+    height = dot(axis, away)
+    aside = along(away, -height, axis)
+    distance_aside = math.hypot(*aside)
+    outward = ([c / distance_aside for c in aside] if distance_aside > 0 else _column(turn, 0))
+    up = axis if height >= 0 else [-c for c in axis]
+    beyond, beside = abs(height) - half_height, distance_aside - rim
+    if beyond <= 0 or beside <= 0:  # opposite an end or the side; from inside the nearer of them
+        gap, normal = (beyond, up) if beyond > beside else (beside, outward)
+    else:
+        gap = math.hypot(beyond, beside)
+        normal = [(beyond * u + beside * o) / gap for u, o in zip(up, outward)]
+    return [(gap - radius, along(x, -radius, normal), normal)]
 
 
 def sphere_sphere(one, other):

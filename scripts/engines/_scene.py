@@ -69,6 +69,28 @@ def initial_state(body):
             prescribed.get("angular_velocity", body.get("angular_velocity", [0.0] * 3)))
 
 
+def prescribed_state(body, time):
+    """The state at `time` of a body that is static or has prescribed velocities V and ω.
+
+    x(t) = x₀ + V t,   q(t) = (cos ½‖ω‖t, sin ½‖ω‖t ω/‖ω‖) ∘ q₀.
+    """
+    position, orientation, linear, angular = initial_state(body)
+    moved = [x + v * time for x, v in zip(position, linear)]
+    rate = math.hypot(*angular)
+    if rate == 0:
+        return moved, list(orientation), list(linear), list(angular)
+    half = 0.5 * rate * time
+    turn = [math.cos(half), *(math.sin(half) / rate * x for x in angular)]
+    return moved, quaternion_product(turn, orientation), list(linear), list(angular)
+
+
+def quaternion_product(a, b):
+    """a ∘ b of quaternions [w, x, y, z]: first b turns, then a."""
+    (w, x, y, z), (s, i, j, k) = a, b
+    return [w * s - x * i - y * j - z * k, w * i + x * s + y * k - z * j,
+            w * j - x * k + y * s + z * i, w * k + x * j - y * i + z * s]
+
+
 def rotation_to_normal(normal):
     """Quaternion [w, x, y, z] of the shortest rotation that takes (0, 0, 1) to the unit normal."""
     x, y, z = normal

@@ -6,7 +6,8 @@ import numpy as np
 import siconos.kernel as kernel
 
 import _contact_points as contact
-from _scene import GROUND
+from _protocol import Unsupported
+from _scene import GROUND, shape_of
 
 APART = 1e30
 """Gap of a place for a contact point that the pair does not have at present: no step closes it."""
@@ -16,26 +17,37 @@ MARGIN_STEPS, MARGIN_SHARE = 4.0, 0.1
 share of its size; Siconos looks γ steps ahead."""
 
 
+POINTS = {
+    ("sphere",): (contact.sphere_ground, 1),
+    ("box",): (contact.box_ground, contact.MOST_POINTS),
+    ("capsule",): (contact.capsule_ground, 2),
+    ("cylinder",): (contact.cylinder_ground, contact.MOST_POINTS),
+    ("sphere", "sphere"): (contact.sphere_sphere, 1),
+    ("sphere", "box"): (contact.sphere_box, 1),
+    ("sphere", "capsule"): (contact.sphere_capsule, 1),
+    ("sphere", "cylinder"): (contact.sphere_cylinder, 1),
+    ("capsule", "capsule"): (contact.capsule_capsule, 2),
+    ("box", "box"): (contact.box_box, contact.MOST_POINTS),
+}
+"""The function for each pair of shapes, or shape and ground, and the most points it gives."""
+
+
 class Pair:
     """Two shapes, or a shape and the ground as `b`, and their contact points at a configuration."""
 
     def __init__(self, scene, a, b):
         bodies = {body["name"]: body for body in scene["bodies"]}
-        if b != GROUND and "box" in bodies[a] and "sphere" in bodies[b]:
+        if b != GROUND and shape_of(bodies[a]) != "sphere" == shape_of(bodies[b]):
             a, b = b, a
         self.a, self.b = a, b
-        self.shapes = [_size(bodies[name]) for name in (a, b) if name != GROUND]
+        touching = [bodies[name] for name in (a, b) if name != GROUND]
+        self.shapes = [_size(body) for body in touching]
         self.ground = scene.get("ground")
-        kinds = tuple("box" if isinstance(shape, list) else "sphere" for shape in self.shapes)
-        self.points_of, self.slots = {
-            ("sphere",): (contact.sphere_ground, 1),
-            ("box",): (contact.box_ground, contact.MOST_POINTS),
-            ("sphere", "sphere"): (contact.sphere_sphere, 1),
-            ("sphere", "box"): (contact.sphere_box, 1),
-            ("box", "box"): (contact.box_box, contact.MOST_POINTS),
-        }[kinds]
-        self.radii = [math.hypot(*shape) if isinstance(shape, list) else shape
-                      for shape in self.shapes]
+        kinds = tuple(shape_of(body) for body in touching)
+        if kinds not in POINTS:
+            raise Unsupported(f"no contact points are worked out for {' and '.join(kinds)}")
+        self.points_of, self.slots = POINTS[kinds]
+        self.radii = [_reach(body) for body in touching]
         self.last, self.points = None, []
 
     def could_touch(self, states, time_step):
@@ -62,7 +74,20 @@ class Pair:
 
 
 def _size(body):
-    return body["sphere"]["radius"] if "sphere" in body else list(body["box"]["half_extents"])
+    kind = shape_of(body)
+    if kind == "sphere":
+        return body["sphere"]["radius"]
+    if kind == "box":
+        return list(body["box"]["half_extents"])
+    return body[kind]["radius"], body[kind]["half_height"]
+
+
+def _reach(body):
+    """The greatest distance of a point of the body from its middle [m]."""
+    size = _size(body)
+    if "capsule" in body:
+        return sum(size)
+    return size if "sphere" in body else math.hypot(*size)
 
 
 class Touch(kernel.NewtonEuler3DR):

@@ -21,8 +21,9 @@ from importlib.metadata import version
 import pybullet
 
 from _protocol import Unsupported, serve
-from _scene import (GROUND, initial_state, kind_of, multiplied_values, pair_values, record,
-                    require_declared, rotation_to_normal, shape_of, solid_inertia)
+from _scene import (GROUND, initial_state, kind_of, multiplied_values, pair_values,
+                    prescribed_state, record, require_declared, rotation_to_normal, shape_of,
+                    solid_inertia)
 from _settings import contact_model, in_force, options_of
 
 VERSION = version("pybullet")
@@ -57,7 +58,9 @@ def describe(request):
         "name": "bullet", "version": VERSION, "precision": "double",
         "contact_model": contact_model("rigid", "coulomb", PARAMETERS, values),
         "restitution": True, "friction": "cone" if cone else "pyramid",
-        "reports_contacts": True, "levels": ["simulate"], "bodies": ["free", "static"],
+        "reports_contacts": True, "levels": ["simulate"],
+        # contacts of rigid bodies take one without mass for one at rest
+        "bodies": ["free", "static"] + ([] if values["maximal_coordinates"] else ["prescribed"]),
         "shapes": ["sphere", "box", "capsule", "cylinder"],
         "options": options_of(OPTIONS, values),
     }
@@ -78,6 +81,10 @@ class World:
         if self.ground is not None:
             self._make_ground(scene["bodies"][0]["position"])
         self.bodies = [self._body(body) for body in scene["bodies"]]
+        self.prescribed = [(handle, body) for handle, body in zip(self.bodies, scene["bodies"])
+                           if kind_of(body) == "prescribed"]
+        self.steps = 0
+        self._prescribe()
 
     def _call(self, name, *arguments, **named):
         return getattr(pybullet, name)(*arguments, **named, physicsClientId=self.bullet)
@@ -158,10 +165,20 @@ class World:
             self._check_on_ground(position)
             yield position, (w, x, y, z), *self._call("getBaseVelocity", handle)
 
+    def _prescribe(self):
+        """Put the bodies with prescribed velocities where they are now; Bullet keeps them there."""
+        for handle, body in self.prescribed:
+            position, (w, x, y, z), linear, angular = prescribed_state(
+                body, self.steps * self.time_step)
+            self._call("resetBasePositionAndOrientation", handle, position, [x, y, z, w])
+            self._call("resetBaseVelocity", handle, linear, angular)
+
     def points(self):
         """One step and its contact points in the order in which it took them: the bodies a and b,
         the points on them, the normal from b to a, the distance, the impulse on a."""
         self._call("stepSimulation")
+        self.steps += 1
+        self._prescribe()
         for point in self._call("getContactPoints"):
             (_, a, b, _, _, on_a, on_b, normal, distance,
              force, along1, tangent1, along2, tangent2) = point

@@ -16,8 +16,9 @@ import dartpy
 import numpy as np
 
 from _protocol import Unsupported, serve
-from _scene import (GROUND, initial_state, multiplied_values, pair_values, record,
-                    require_declared, smallest_values, solid_inertia)
+from _scene import (GROUND, initial_state, kind_of, multiplied_values, pair_values,
+                    prescribed_state, record, require_declared, shape_of, smallest_values,
+                    solid_inertia)
 from _settings import contact_model, in_force, options_of
 
 VERSION = version("dartpy")
@@ -49,7 +50,9 @@ def describe(request):
         "name": "dart", "version": VERSION, "precision": "double",
         "contact_model": contact_model("rigid", "coulomb", PARAMETERS, values),
         "restitution": True, "friction": "cone" if cone else "pyramid",
-        "reports_contacts": True, "levels": ["simulate"], "options": options_of(OPTIONS, values),
+        "reports_contacts": True, "levels": ["simulate"],
+        "shapes": ["sphere", "box", "capsule", "cylinder"],
+        "bodies": ["free", "static", "prescribed"], "options": options_of(OPTIONS, values),
     }
 
 
@@ -59,6 +62,26 @@ def _cone_solver(values):
     options.tolerance = values["tolerance"]
     setattr(options, iterations, values["iterations"])
     return kind(options)
+
+
+def _shape_of(body):
+    kind = shape_of(body)
+    if kind == "sphere":
+        return dartpy.dynamics.SphereShape(body["sphere"]["radius"])
+    if kind == "box":
+        return dartpy.dynamics.BoxShape(2 * np.array(body["box"]["half_extents"]))
+    make = {"capsule": dartpy.dynamics.CapsuleShape, "cylinder": dartpy.dynamics.CylinderShape}
+    return make[kind](body[kind]["radius"], 2 * body[kind]["half_height"])
+
+
+def _place(joint, state):
+    position, orientation, linear, angular = state
+    pose = dartpy.math.Isometry3()
+    pose.set_translation(position)
+    pose.set_quaternion(dartpy.math.Quaternion(*orientation))
+    joint.setPositions(dartpy.dynamics.FreeJoint.convertToPositions(pose))
+    joint.setAngularVelocity(angular)
+    joint.setLinearVelocity(linear)
 
 
 class World:
@@ -82,7 +105,9 @@ class World:
         if values["solver"] != "dantzig":  # the default, which cannot be made in Python
             solver.setBoxedLcpSolver(_cone_solver(values))
         solver.setSplitImpulseEnabled(values["split_impulse"])
+        self.prescribed, self.steps = [], 0
         self.bodies = [self._body(body) for body in scene["bodies"]]
+        self._prescribe()
         if scene.get("ground") is not None:
             skeleton = dartpy.dynamics.Skeleton(GROUND)
             _, ground = skeleton.createWeldJointAndBodyNodePair()
@@ -102,22 +127,25 @@ class World:
         skeleton = dartpy.dynamics.Skeleton(body["name"])
         joint, node = skeleton.createFreeJointAndBodyNodePair()
         node.setName(body["name"])
-        if "sphere" in body:
-            shape = dartpy.dynamics.SphereShape(body["sphere"]["radius"])
+        self._shape(node, _shape_of(body), body["name"])
+        kind = kind_of(body)
+        if kind == "free":
+            node.setInertia(dartpy.dynamics.Inertia(body["mass"], np.zeros(3),
+                                                    np.diag(solid_inertia(body))))
         else:
-            shape = dartpy.dynamics.BoxShape(2 * np.array(body["box"]["half_extents"]))
-        self._shape(node, shape, body["name"])
-        node.setInertia(dartpy.dynamics.Inertia(body["mass"], np.zeros(3),
-                                                np.diag(solid_inertia(body))))
-        position, orientation, linear, angular = initial_state(body)
-        pose = dartpy.math.Isometry3()
-        pose.set_translation(position)
-        pose.set_quaternion(dartpy.math.Quaternion(*orientation))
-        joint.setPositions(dartpy.dynamics.FreeJoint.convertToPositions(pose))
-        joint.setAngularVelocity(angular)
-        joint.setLinearVelocity(linear)
+            joint.setActuatorType(dartpy.dynamics.ActuatorType.VELOCITY)
+            skeleton.setMobile(kind == "prescribed")
+        _place(joint, initial_state(body))
         self.world.addSkeleton(skeleton)
+        if kind == "prescribed":
+            self.prescribed.append((joint, body))
         return node
+
+    def _prescribe(self):
+        """Give the bodies with prescribed velocities their place and command their velocity."""
+        for joint, body in self.prescribed:
+            _place(joint, prescribed_state(body, self.steps * self.time_step))
+            joint.setCommands(joint.getVelocities())
 
     def states(self):
         """(x, q, v, w) of every body."""
@@ -129,6 +157,8 @@ class World:
     def step(self):
         """One step and its contacts."""
         self.world.step()
+        self.steps += 1
+        self._prescribe()
         for contact in self.world.getLastCollisionResult().getContacts():
             a, b = (x.getShapeFrame().asShapeNode().getBodyNodePtr().getSkeleton().getName()
                     for x in (contact.collisionObject1, contact.collisionObject2))

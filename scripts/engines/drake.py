@@ -5,7 +5,11 @@ A discrete `MultibodyPlant` with point contact makes steps q⁺ = q + h N v⁺, 
     M (v⁺ − v) = h τ + Jᵀ r(v⁺)
 
 and the approximation (`sap`, `similar`, `lagged`, `tamsi`) is the model of the impulse r.
-Boxes touch through spheres at their eight corners, because a box–box pair has one point only.
+Boxes touch through spheres at their eight corners, because a box–box pair has one point only; in
+a step in which no corner of two boxes is in the other one, they touch through that point.
+Capsules touch the ground through the balls at their two ends, for the same reason.
+A static body is welded to the world.  A prescribed velocity is nothing that Drake has: a joint that
+is locked has the velocity 0, and a very heavy body takes part in the momentum that ends iterations.
 The contact results of the state at t_k are those of the step from t_k to t_{k+1}.
 """
 
@@ -16,8 +20,9 @@ from importlib.metadata import version
 import numpy as np
 
 _here = sys.path.pop(0)  # not to look for the engine's own modules in this folder
-from pydrake.geometry import (AddContactMaterial, Box, CollisionFilterDeclaration,  # noqa: E402
-                              GeometrySet, HalfSpace, ProximityProperties, Sphere)
+from pydrake.geometry import (AddContactMaterial, Box, Capsule,  # noqa: E402
+                              CollisionFilterDeclaration, Cylinder, GeometrySet, HalfSpace,
+                              ProximityProperties, Sphere)
 from pydrake.math import RigidTransform  # noqa: E402
 from pydrake.common.eigen_geometry import Quaternion  # noqa: E402
 from pydrake.multibody.math import SpatialVelocity  # noqa: E402
@@ -30,7 +35,8 @@ sys.path.insert(0, _here)
 import _drake_dump  # noqa: E402
 import _drake_facts  # noqa: E402
 from _protocol import Unsupported, serve  # noqa: E402
-from _scene import GROUND, initial_state, record, require_declared, solid_inertia  # noqa: E402
+from _scene import (GROUND, initial_state, kind_of, record, require_declared,  # noqa: E402
+                    shape_of, solid_inertia)
 from _settings import (contact_model, in_force, options_of,  # noqa: E402
                        require_declared_restitution)
 
@@ -58,13 +64,56 @@ def describe(request):
         "name": "drake", "version": VERSION, "precision": "double",
         "contact_model": contact_model("compliant", law, PARAMETERS, values),
         "restitution": False, "friction": "cone", "reports_contacts": True,
-        "levels": ["simulate", "dump"], "options": options_of(OPTIONS, values),
+        "levels": ["simulate", "dump"], "shapes": ["sphere", "box", "capsule", "cylinder"],
+        "bodies": ["free", "static"], "options": options_of(OPTIONS, values),
     }
 
 
 def _settings(request):
     require_declared_restitution("drake", request["scene"])
     return in_force("drake", PARAMETERS, OPTIONS, request)
+
+
+# A pair of kinds that meet, each with exact contact points; every other pair does not meet, or the
+# scene is refused.
+TOUCHING = [{"ground", "sphere"}, {"ground", "corner"}, {"ground", "end"}, {"ground", "cylinder"},
+            {"box", "corner"}, {"box", "sphere"}, {"corner", "sphere"}, {"sphere"},
+            {"sphere", "capsule"}, {"sphere", "cylinder"}, {"capsule"},
+            {"box"}]  # but see `_let_boxes_meet`
+UNKNOWN = [{"box", "capsule"}, {"box", "cylinder"}, {"capsule", "cylinder"}, {"cylinder"}]
+
+
+def _pose(body):
+    position, orientation, _, _ = initial_state(body)
+    quaternion = np.array(orientation) / np.linalg.norm(orientation)
+    return RigidTransform(Quaternion(quaternion), position)
+
+
+def _inertia(body):
+    """Of the body; a static one has none, and is given that of a kilogram, which nothing feels."""
+    if kind_of(body) == "static":
+        return SpatialInertia.MakeFromCentralInertia(1.0, [0, 0, 0], RotationalInertia(1, 1, 1))
+    return SpatialInertia.MakeFromCentralInertia(body["mass"], [0, 0, 0],
+                                                 RotationalInertia(*solid_inertia(body)))
+
+
+def _shapes(body, corner_radius):
+    """(kind, shape, position, name) of the geometries that a body is made of."""
+    kind = shape_of(body)
+    size = body[kind]
+    if kind == "sphere":
+        yield "sphere", Sphere(size["radius"]), [0, 0, 0], "sphere"
+    elif kind == "box":
+        half = np.array(size["half_extents"])
+        yield "box", Box(*(2 * half)), [0, 0, 0], "box"
+        for k, signs in enumerate(itertools.product((-1, 1), repeat=3)):
+            yield "corner", Sphere(corner_radius), signs * (half - corner_radius), f"corner{k}"
+    elif kind == "cylinder":
+        yield "cylinder", Cylinder(size["radius"], 2 * size["half_height"]), [0, 0, 0], "cylinder"
+    else:
+        yield "capsule", Capsule(size["radius"], 2 * size["half_height"]), [0, 0, 0], "capsule"
+        for k, sign in enumerate((-1, 1)):
+            yield "end", Sphere(size["radius"]), [0, 0, sign * size["half_height"]], f"end{k}"
 
 
 class Model:
@@ -87,7 +136,7 @@ class Model:
         self.context = self.plant.GetMyMutableContextFromRoot(self.root)
         self.next_state = self.diagram.AllocateDiscreteVariables()
         self._set_initial_state()
-        self.steps = 0
+        self.steps, self.parted = 0, set()
 
     def _material(self):
         """Properties of one geometry: two in series have the pair's stiffness and damping."""
@@ -99,39 +148,46 @@ class Model:
         return properties
 
     def _register(self):
-        corners, faces, self.bodies = [], [], []
+        geometries = {kind: [] for kind in ("ground", "sphere", "box", "corner", "capsule", "end",
+                                            "cylinder")}
+        self.bodies = []
         if self.scene.get("ground") is not None:
             normal = np.array(self.scene["ground"]["normal"])
             pose = HalfSpace.MakePose(normal, self.scene["ground"]["offset"] * normal)
-            faces.append(self.plant.RegisterCollisionGeometry(
+            geometries["ground"].append(self.plant.RegisterCollisionGeometry(
                 self.plant.world_body(), pose, HalfSpace(), GROUND, self._material()))
         for body in self.scene["bodies"]:
-            inertia = SpatialInertia.MakeFromCentralInertia(
-                body["mass"], [0, 0, 0], RotationalInertia(*solid_inertia(body)))
-            link = self.plant.AddRigidBody(body["name"], inertia)
+            link = self.plant.AddRigidBody(body["name"], _inertia(body))
             self.bodies.append(link)
+            if kind_of(body) == "static":
+                self.plant.WeldFrames(self.plant.world_frame(), link.body_frame(), _pose(body))
+            for kind, shape, position, name in _shapes(body, self.options["corner_radius"]):
+                geometries[kind].append(self.plant.RegisterCollisionGeometry(
+                    link, RigidTransform(np.array(position)), shape, name, self._material()))
+        self.boxes = geometries["box"]
+        self._filter(geometries)
 
-            def register(shape, position, name):
-                return self.plant.RegisterCollisionGeometry(
-                    link, RigidTransform(np.array(position)), shape, name, self._material())
-
-            if "sphere" in body:
-                register(Sphere(body["sphere"]["radius"]), [0, 0, 0], "sphere")
-                continue
-            half, radius = np.array(body["box"]["half_extents"]), self.options["corner_radius"]
-            faces.append(register(Box(*(2 * half)), [0, 0, 0], "box"))
-            for k, signs in enumerate(itertools.product((-1, 1), repeat=3)):
-                corners.append(register(Sphere(radius), signs * (half - radius), f"corner{k}"))
+    def _filter(self, geometries):
+        """Lets the kinds of TOUCHING meet, and no others."""
         manager = self.graph.collision_filter_manager()
-        for group in (corners, faces):  # corners meet faces, never each other
-            manager.Apply(CollisionFilterDeclaration().ExcludeWithin(GeometrySet(group)))
+        kinds = [kind for kind in geometries if geometries[kind]]
+        for i, one in enumerate(kinds):
+            for other in kinds[i:]:
+                alone = one == other and len(geometries[one]) == 1
+                if alone or {one, other} in TOUCHING:
+                    continue
+                if {one, other} in UNKNOWN:
+                    raise Unsupported(f"no exact contact points of {one} and {other}")
+                sets = GeometrySet(geometries[one]), GeometrySet(geometries[other])
+                manager.Apply(CollisionFilterDeclaration().ExcludeWithin(sets[0]) if one == other
+                              else CollisionFilterDeclaration().ExcludeBetween(*sets))
 
     def _set_initial_state(self):
         for body, link in zip(self.scene["bodies"], self.bodies):
-            position, orientation, linear, angular = initial_state(body)
-            quaternion = np.array(orientation) / np.linalg.norm(orientation)
-            self.plant.SetFreeBodyPose(self.context, link,
-                                       RigidTransform(Quaternion(quaternion), position))
+            if kind_of(body) == "static":
+                continue
+            _, _, linear, angular = initial_state(body)
+            self.plant.SetFreeBodyPose(self.context, link, _pose(body))
             self.plant.SetFreeBodySpatialVelocity(
                 self.context, link, SpatialVelocity(w=np.array(angular, dtype=float),
                                                     v=np.array(linear, dtype=float)))
@@ -143,6 +199,25 @@ class Model:
             velocity = self.plant.EvalBodySpatialVelocityInWorld(self.context, link)
             yield (pose.translation(), pose.rotation().ToQuaternion().wxyz(),
                    velocity.translational(), velocity.rotational())
+
+    def _let_boxes_meet(self):
+        """Lets those pairs of boxes meet of which no corner is in the other box, and no others."""
+        if len(self.boxes) < 2:
+            return
+        context = self.graph.GetMyMutableContextFromRoot(self.root)
+        query = self.graph.get_query_output_port().Eval(context)
+        body_of = query.inspector().GetFrameId
+        touching = {frozenset(map(body_of, (pair.id_A, pair.id_B)))
+                    for pair in query.ComputePointPairPenetration()
+                    if not {pair.id_A, pair.id_B} <= set(self.boxes)}
+        parted = {pair for pair in itertools.combinations(self.boxes, 2)
+                  if frozenset(map(body_of, pair)) in touching}
+        manager = self.graph.collision_filter_manager(context)
+        for pair in parted - self.parted:
+            manager.Apply(CollisionFilterDeclaration().ExcludeWithin(GeometrySet(pair)))
+        for pair in self.parted - parted:
+            manager.Apply(CollisionFilterDeclaration().AllowWithin(GeometrySet(pair)))
+        self.parted = parted
 
     def contacts(self):
         """The point contacts of the step that starts at the current state."""
@@ -157,6 +232,7 @@ class Model:
 
     def step(self):
         """One step and its contacts; see `_scene.record`."""
+        self._let_boxes_meet()
         for info in self.contacts():
             # The force is reported on B; the impulse on A has the other sign.
             yield (self.name_of(info.bodyA_index()), self.name_of(info.bodyB_index()),

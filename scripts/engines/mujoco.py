@@ -10,6 +10,13 @@ t_{k+1} belongs to (t_k, t_{k+1}] and is recorded with the sample that ends it. 
 RK4 only the last of its four sets of contacts is left, which is no impulse of the step: none is
 reported.
 
+A body with a prescribed velocity is a mocap body, which MuJoCo takes for one that stands still. Its
+velocity w at a contact is added where MuJoCo makes the reference of the velocity before the step,
+
+    a_ref = −b (J v + w) − k r,
+
+between the two halves of a step, `mj_step1` and `mj_step2`.  RK4 has no such halves.
+
 Torsional and rolling friction [m] are options that only a request can give; the first makes four
 contact directions of three, the second six.
 """
@@ -25,9 +32,10 @@ sys.path.insert(0, _here)
 import _mujoco_dump  # noqa: E402
 import _mujoco_facts  # noqa: E402
 import _mujoco_geometry  # noqa: E402
+import _mujoco_prescribed  # noqa: E402
 from _protocol import Unsupported, serve  # noqa: E402
-from _scene import (GROUND, initial_state, kind_of, pair_friction, record,  # noqa: E402
-                    require_declared, rotation_to_normal, shape_of,  # noqa: E402
+from _scene import (GROUND, initial_state, kind_of, pair_friction,  # noqa: E402
+                    prescribed_state, record, require_declared, rotation_to_normal, shape_of,
                     solid_inertia)
 from _settings import (contact_model, in_force, options_of,  # noqa: E402
                        require_declared_restitution)
@@ -68,7 +76,8 @@ def describe(request):
         "contact_model": model, "restitution": False,
         "friction": "cone" if values["cone"] == "elliptic" else "pyramid",
         "reports_contacts": values["integrator"] != "RK4", "levels": ["simulate", "dump"],
-        "bodies": ["free", "static"], "shapes": ["sphere", "box", "capsule", "cylinder"],
+        "shapes": ["sphere", "box", "capsule", "cylinder"],
+        "bodies": ["free", "static"] + (["prescribed"] if values["integrator"] != "RK4" else []),
         "options": options_of(OPTIONS, values),
     }
 
@@ -111,8 +120,9 @@ def model_of(scene, time_step, options):
         moves = kind_of(body) == "free"
         inertial = (f'<freejoint/><inertial pos="0 0 0" mass="{body["mass"]!r}" '
                     f'diaginertia="{_numbers(solid_inertia(body))}"/>') if moves else ""
+        mocap = ' mocap="true"' if kind_of(body) == "prescribed" else ""
         world.append(
-            f'<body name="{body["name"]}" pos="{_numbers(position)}" '
+            f'<body name="{body["name"]}"{mocap} pos="{_numbers(position)}" '
             f'quat="{_numbers(orientation)}">{inertial}'
             f'<geom name="{body["name"]}" {shape} contype="0" conaffinity="0"/></body>')
         pairs += [_pair(scene, body["name"], other, options) for other, also_moves in names
@@ -155,21 +165,41 @@ class World:
     def __init__(self, scene, time_step, options):
         self.model, self.data = start(scene, time_step, options)
         free = iter(range(len(_free(scene))))
-        self.places = [next(free) if kind_of(body) == "free" else initial_state(body)
+        self.places = [next(free) if kind_of(body) == "free" else body
                        for body in scene["bodies"]]
+        self.prescribed = {body["name"]: body for body in scene["bodies"]
+                           if kind_of(body) == "prescribed"}
+        self.steps = 0
 
     def states(self):
         """(x, q, v, w) of every body."""
         for i in self.places:
-            if not isinstance(i, int):  # a static body is where it was
-                yield i
+            if not isinstance(i, int):
+                yield prescribed_state(i, self.time())
                 continue
             q, v = self.data.qpos[7 * i:7 * i + 7], self.data.qvel[6 * i:6 * i + 6]
             yield q[:3], q[3:], v[:3], _rotation(q[3:]) @ v[3:]
 
+    def time(self):
+        """Where the steps have come to [s]."""
+        return self.steps * self.model.opt.timestep
+
+    def _advance(self):
+        if self.prescribed:
+            for name, body in self.prescribed.items():
+                place = self.model.body(name).mocapid[0]
+                self.data.mocap_pos[place], self.data.mocap_quat[place] = (
+                    prescribed_state(body, self.time())[:2])
+            mujoco.mj_step1(self.model, self.data)
+            _mujoco_prescribed.add_velocities(self.model, self.data, self.prescribed)
+            mujoco.mj_step2(self.model, self.data)
+        else:
+            mujoco.mj_step(self.model, self.data)
+        self.steps += 1
+
     def step(self):
         """One step and its contacts with the impulses h f; f acts on the second geom."""
-        mujoco.mj_step(self.model, self.data)
+        self._advance()
         if self.model.opt.integrator == mujoco.mjtIntegrator.mjINT_RK4:
             return
         force, names = np.zeros(6), self.model.geom
@@ -198,6 +228,8 @@ def dump(request):
     options = _settings(request)
     if options["integrator"] != "Euler" or options["noslip_iterations"]:
         raise Unsupported("a step problem is one convex problem only for Euler without noslip")
+    if any(kind_of(body) == "prescribed" for body in scene["bodies"]):
+        raise Unsupported("the step problem is rebuilt for bodies at rest and free ones only")
     model, data = start(scene, time_step, options)
     for _ in range(request["step"]):
         mujoco.mj_step(model, data)

@@ -21,11 +21,12 @@ sys.path.insert(0, _here)
 
 import math  # noqa: E402
 
-from _protocol import Unsupported, serve  # noqa: E402
-from _scene import (common_value, initial_state, record, require_declared,  # noqa: E402
-                    solid_inertia)
+from _protocol import serve  # noqa: E402
+from _scene import (common_value, initial_state, kind_of, prescribed_state,  # noqa: E402
+                    record, require_declared, shape_of, solid_inertia)
 from _settings import contact_model, in_force, options_of  # noqa: E402
 
+X_TO_Z = [math.sqrt(0.5), 0.0, -math.sqrt(0.5), 0.0]  # turns PhysX's axis of capsules to ours
 LARGEST_ANGULAR_SPEED = 1e16  # rad/s; PhysX clamps at 100 unless told otherwise
 PARAMETERS = {
     "restitution_threshold": (2.0, "m/s"),  # bounce threshold
@@ -66,7 +67,8 @@ def describe(request):
         "name": "sapien", "version": sapien.__version__, "precision": "single",
         "contact_model": contact_model("rigid", "coulomb", PARAMETERS, values),
         "restitution": True, "friction": "cone", "reports_contacts": False,
-        "levels": ["simulate"], "options": options_of(OPTIONS, values),
+        "levels": ["simulate"], "shapes": ["sphere", "box", "capsule"],
+        "bodies": ["free", "static", "prescribed"], "options": options_of(OPTIONS, values),
     }
 
 
@@ -94,6 +96,8 @@ class World:
         self.system = physx.PhysxCpuSystem()
         self.system.timestep = time_step
         self.scene = sapien.Scene([self.system])
+        self.time_step, self.steps, self.prescribed = time_step, 0, []
+        self.scene_bodies = scene["bodies"]
         self.bodies = [self._body(body) for body in scene["bodies"]]
         if scene.get("ground") is not None:
             normal, offset = scene["ground"]["normal"], scene["ground"]["offset"]
@@ -113,39 +117,64 @@ class World:
         component.attach(shape)
 
     def _body(self, body):
-        component = physx.PhysxRigidDynamicComponent()
-        if "sphere" in body:
-            radius = body["sphere"]["radius"]
-            self._shape(component, physx.PhysxCollisionShapeSphere(radius, self.material))
-        elif "box" in body:
-            half_extents = body["box"]["half_extents"]
-            self._shape(component, physx.PhysxCollisionShapeBox(half_extents, self.material))
+        kind = kind_of(body)
+        component = (physx.PhysxRigidStaticComponent() if kind == "static"
+                     else physx.PhysxRigidDynamicComponent())
+        self._shape(component, self._shape_of(body))
+        position, orientation, linear, angular = initial_state(body)
+        if kind == "static":
+            self._add(component, position, orientation)
+            return None
+        self._configure(component)
+        if kind == "free":
+            component.cmass_local_pose = sapien.Pose()
+            component.mass, component.inertia = body["mass"], solid_inertia(body)
         else:
-            raise Unsupported(f"the body {body['name']} is neither a sphere nor a box")
-        component.cmass_local_pose = sapien.Pose()
-        component.mass, component.inertia = body["mass"], solid_inertia(body)
+            component.kinematic = True
+            self.prescribed.append((component, body))
+        self._add(component, position, orientation)
+        if kind == "free":
+            component.linear_velocity, component.angular_velocity = linear, angular
+        return component
+
+    def _shape_of(self, body):
+        kind = shape_of(body)
+        if kind == "sphere":
+            return physx.PhysxCollisionShapeSphere(body["sphere"]["radius"], self.material)
+        if kind == "box":
+            return physx.PhysxCollisionShapeBox(body["box"]["half_extents"], self.material)
+        size = body["capsule"]
+        shape = physx.PhysxCollisionShapeCapsule(size["radius"], size["half_height"],
+                                                 self.material)
+        shape.local_pose = sapien.Pose([0.0] * 3, X_TO_Z)
+        return shape
+
+    def _configure(self, component):
         component.linear_damping = component.angular_damping = 0.0
         component.sleep_threshold = 0.0
         component.max_angular_velocity = LARGEST_ANGULAR_SPEED
         component.max_depenetration_velocity = self.values["max_depenetration_velocity"]
         component.solver_position_iterations = self.values["position_iterations"]
         component.solver_velocity_iterations = self.values["velocity_iterations"]
-        position, orientation, linear, angular = initial_state(body)
-        self._add(component, position, orientation)
-        component.linear_velocity, component.angular_velocity = linear, angular
-        return component
 
     def states(self):
         """(x, q, v, w) of every body."""
-        for body in self.bodies:
-            pose = body.entity_pose
+        for component, body in zip(self.bodies, self.scene_bodies):
+            if component is None:
+                yield initial_state(body)
+                continue
+            pose = component.entity_pose
             orientation = [float(x) for x in pose.q]
             length = math.hypot(*orientation)
             yield (pose.p, [x / length for x in orientation],
-                   body.linear_velocity, body.angular_velocity)
+                   component.linear_velocity, component.angular_velocity)
 
     def step(self):
         """One step; no contacts, see above."""
+        self.steps += 1
+        for component, body in self.prescribed:
+            position, orientation, _, _ = prescribed_state(body, self.steps * self.time_step)
+            component.kinematic_target = sapien.Pose(position, orientation)
         self.system.step()
         return []
 

@@ -13,6 +13,10 @@ relations; its own detector works in single precision.  The tangents are Siconos
 not orthogonal on most slopes; `contact_frame` "orthonormal" mends them.  An impulse r belongs to
 (t_k, t_{k+1}].
 
+Static bodies and those with a prescribed velocity have a boundary condition on all six velocities,
+which takes their rows and columns out of M.  The prescribed spin is constant in the world and so in
+the body frame.
+
 `solve` hands a `contact-problem/1` to the same numerical solvers, W + R in place of W.
 """
 
@@ -31,8 +35,8 @@ sys.path.insert(0, _here)
 import _problem  # noqa: E402
 from _contact_points import rotation  # noqa: E402
 from _protocol import Unsupported, serve  # noqa: E402
-from _scene import (GROUND, initial_state, pair_values, record, require_declared,  # noqa: E402
-                    solid_inertia)
+from _scene import (GROUND, initial_state, kind_of, pair_values, record,  # noqa: E402
+                    require_declared, solid_inertia)
 from _settings import contact_model, in_force, options_of  # noqa: E402
 from _siconos_relations import OrthonormalTouch, Pair, Touch  # noqa: E402
 
@@ -74,6 +78,8 @@ def describe(request):
         "contact_model": contact_model("rigid", "coulomb", PARAMETERS, values),
         "restitution": True, "friction": "cone", "reports_contacts": True,
         "levels": ["simulate", "solve"], "laws": ["coulomb"],
+        "shapes": ["sphere", "box", "capsule", "cylinder"],
+        "bodies": ["free", "static", "prescribed"],
         "options": options_of(OPTIONS, values),
     }
 
@@ -97,7 +103,8 @@ class World:
 
     def __init__(self, scene, time_step, values):
         self.time_step, self.touch = time_step, FRAMES[values["contact_frame"]]
-        self.bodies = {body["name"]: _body(scene, body) for body in scene["bodies"]}
+        self.kept = []
+        self.bodies = {body["name"]: self._body(scene, body) for body in scene["bodies"]}
         self.system = kernel.NonSmoothDynamicalSystem(0.0, 2.0 * scene["duration"] + 1.0)
         for body in self.bodies.values():
             self.system.insertDynamicalSystem(body)
@@ -114,6 +121,19 @@ class World:
         self.stepping.setNewtonOptions(kernel.SICONOS_TS_NONLINEAR)
         self.stepping.setNewtonMaxIteration(values["newton_iterations"])
         self.stepping.setNewtonTolerance(values["newton_tolerance"])
+
+    def _body(self, scene, body):
+        position, orientation, linear, angular = initial_state(body)
+        twist = [*linear, *(_rotation(orientation).T @ angular)]
+        free = kind_of(body) == "free"
+        mass, inertia = (body["mass"], solid_inertia(body)) if free else (1.0, [1.0] * 3)
+        system = kernel.NewtonEulerDS([*position, *orientation], twist, mass, np.diag(inertia))
+        if free:
+            system.setFExtPtr([mass * g for g in scene["gravity"]])
+        else:
+            self.kept.append(kernel.BoundaryCondition(list(range(6)), twist))
+            system.setBoundaryConditions(self.kept[-1])
+        return system
 
     def states(self):
         """(x, q, v, w) of every body; Siconos turns in the body frame."""
@@ -157,7 +177,10 @@ class World:
 def _pairs_with_laws(scene):
     """[(pair, law)], one law for each (friction, restitution)."""
     laws, restitutions, pairs = {}, pair_values(scene, "restitution"), []
+    moved = {body["name"] for body in scene["bodies"] if kind_of(body) == "free"}
     for (b, a), friction in pair_values(scene, "friction").items():
+        if not moved & {a, b}:
+            continue
         key = (friction, restitutions[b, a])
         if key not in laws:
             laws[key] = kernel.NewtonImpactFrictionNSL(restitutions[b, a], 0.0, friction, 3)
@@ -167,15 +190,6 @@ def _pairs_with_laws(scene):
 
 def _rotation(quaternion):
     return np.array(rotation([float(c) for c in quaternion]))
-
-
-def _body(scene, body):
-    position, orientation, linear, angular = initial_state(body)
-    turn = _rotation(orientation)
-    system = kernel.NewtonEulerDS([*position, *orientation], [*linear, *(turn.T @ angular)],
-                                  body["mass"], np.diag(solid_inertia(body)))
-    system.setFExtPtr([body["mass"] * g for g in scene["gravity"]])
-    return system
 
 
 def simulate(request):

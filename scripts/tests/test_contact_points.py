@@ -58,6 +58,80 @@ class Points(unittest.TestCase):
         self.near([touch([1, 1, 1])[0]], [math.sqrt(0.75) - 0.25])
         self.near([touch([0.4, 0, 0])[0], *touch([0.4, 0, 0])[2]], [-0.35, 1, 0, 0])
 
+    def test_a_capsule_touches_the_ground_below_its_half_balls(self):
+        tilted = ((0.25, 0.5), [1, 2, 1], about([1, 0, 0], math.pi / 6))
+        (low, point, _), (high, _, _) = sorted(contact.capsule_ground(tilted, GROUND))
+        reach = 0.5 * math.cos(math.pi / 6)
+        self.near([low, high], [0.75 - reach, 0.75 + reach])
+        # z turns to (0, -sin, cos): the lower ball is on the side of +y
+        self.near(point, [1, 2 + 0.5 * math.sin(math.pi / 6), 0.75 - reach])
+
+    def test_a_cylinder_stands_on_four_points_of_its_rim_and_lies_on_two(self):
+        def gaps(turn, height):
+            points = contact.cylinder_ground(((0.25, 0.5), [0, 0, height], turn), GROUND)
+            return sorted(gap for gap, _, _ in points)
+        self.near(gaps(UPRIGHT, 0.5), [0] * 4 + [1] * 4)
+        self.near(gaps(about([1, 0, 0], math.pi / 2), 0.25), [0] * 2 + [0.25] * 4 + [0.5] * 2)
+
+    def test_a_cylinder_s_lowest_point_is_that_of_its_support_function(self):
+        rng = random.Random(7)
+        for _ in range(50):
+            axis, angle = [rng.gauss(0, 1) for _ in range(3)], rng.uniform(0, math.pi)
+            length = math.hypot(*axis)
+            turn = about([c / length for c in axis], angle)
+            down = abs(turn[2][2])
+            lowest = 2 - 0.5 * down - 0.25 * math.sqrt(max(0.0, 1 - down * down))
+            points = contact.cylinder_ground(((0.25, 0.5), [1, 2, 2], turn), GROUND)
+            self.near([min(gap for gap, _, _ in points)], [lowest])
+
+    def test_a_sphere_touches_a_capsule_at_its_side_or_its_end(self):
+        capsule = ((0.5, 1.0), [0, 0, 0], UPRIGHT)
+        side = self.only(contact.sphere_capsule((0.25, [1, 0, 0.5], UPRIGHT), capsule))
+        self.near([side[0], *side[2]], [0.25, 1, 0, 0])
+        end = self.only(contact.sphere_capsule((0.25, [0.6, 0, 1.8], UPRIGHT), capsule))
+        self.near([end[0], *end[2]], [0.25, 0.6, 0, 0.8])
+
+    def test_capsules_touch_where_their_axes_are_next_to_each_other(self):
+        rng = random.Random(11)
+
+        def point(capsule, place):
+            (_, half), x, turn = capsule
+            return [x[i] + place * half * turn[i][2] for i in range(3)]
+
+        for _ in range(40):
+            pair = []
+            for size in ((0.25, 0.5), (0.125, 1.0)):
+                axis = [rng.gauss(0, 1) for _ in range(3)]
+                length = math.hypot(*axis)
+                pair.append((size, [rng.uniform(-1, 1) for _ in range(3)],
+                             about([c / length for c in axis], rng.uniform(0, math.pi))))
+            gap = self.only(contact.capsule_capsule(*pair))[0]
+            places = [k / 40 for k in range(-40, 41)]
+            nearest = min(math.dist(point(pair[0], a), point(pair[1], b))
+                          for a in places for b in places) - 0.375
+            self.assertLessEqual(gap, nearest + 1e-12)
+            self.assertGreater(gap, nearest - 0.025)  # the ways between the places of the search
+
+    def test_parallel_capsules_touch_at_the_ends_of_their_overlap(self):
+        pair = [((0.25, 0.5), [1.0, 0, 0.75], UPRIGHT), ((0.25, 0.5), [0, 0, 0], UPRIGHT)]
+        for (one, other), side in ((pair, 1), (pair[::-1], -1)):
+            points = contact.capsule_capsule(one, other)
+            self.near(sorted(p[1][2] for p in points), [0.25, 0.5])
+            for gap, _, normal in points:
+                self.near([gap, *normal], [0.5, side, 0, 0])
+
+    def test_a_sphere_touches_a_cylinder_at_its_side_its_face_or_its_rim(self):
+        cylinder = ((0.5, 1.0), [0, 0, 0], UPRIGHT)
+
+        def touch(x):
+            gap, _, normal = self.only(contact.sphere_cylinder((0.25, x, UPRIGHT), cylinder))
+            return [gap, *normal]
+        self.near(touch([0, 1, 0.5]), [0.25, 0, 1, 0])
+        self.near(touch([0.1, 0, -1.5]), [0.25, 0, 0, -1])
+        self.near(touch([0.5 + 0.3, 0, 1 + 0.4]), [0.25, 0.6, 0, 0.8])
+        self.near(touch([0.4, 0, 0]), [-0.35, 1, 0, 0])
+        self.near(touch([0.1, 0, 0.9]), [-0.35, 0, 0, 1])
+
     def test_stacked_boxes_touch_at_four_corners_with_the_normal_to_the_first(self):
         lower, upper = (CUBE, [0, 0, 0], UPRIGHT), (CUBE, [0, 0, 1.125], UPRIGHT)
         for pair, sign in (((upper, lower), 1), ((lower, upper), -1)):

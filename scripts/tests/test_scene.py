@@ -1,5 +1,6 @@
 """Reading scenes and recording trajectories; no engine needed."""
 
+import math
 import sys
 import unittest
 from pathlib import Path
@@ -78,6 +79,21 @@ class Declared(unittest.TestCase):
     def test_a_prescribed_body_starts_with_its_velocity(self):
         body = self.scene(prescribed={"velocity": [1, 2, 3]})["bodies"][0]
         self.assertEqual(_scene.initial_state(body)[2:], ([1, 2, 3], [0.0] * 3))
+
+    def test_a_prescribed_body_is_where_its_velocities_take_it(self):
+        # a quarter turn about z in half a second of π rad/s takes a body that was turned about x
+        half = math.sqrt(0.5)
+        body = {"name": "b", "position": [1, 2, 3], "orientation": [half, half, 0, 0],
+                "prescribed": {"velocity": [2, 0, -1], "angular_velocity": [0, 0, math.pi]}}
+        position, orientation, linear, angular = _scene.prescribed_state(body, 0.5)
+        self.assertEqual((position, linear, angular), ([2, 2, 2.5], [2, 0, -1], [0, 0, math.pi]))
+        for found, exact in zip(orientation, [0.5, 0.5, 0.5, 0.5]):
+            self.assertAlmostEqual(found, exact, delta=1e-15)
+
+    def test_a_static_body_stays(self):
+        body = {"name": "b", "position": [1, 2, 3], "static": True}
+        self.assertEqual(_scene.prescribed_state(body, 7.0),
+                         ([1, 2, 3], [1, 0, 0, 0], [0] * 3, [0] * 3))
 
     def test_a_long_capsule_has_nearly_the_moments_of_a_cylinder_and_a_short_one_those_of_a_ball(self):
         def moments(shape, half_height):

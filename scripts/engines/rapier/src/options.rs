@@ -122,7 +122,8 @@ pub fn describe(request: &Map<String, Value>) -> Outcome<Value> {
         "name": "rapier", "version": version::VERSION, "precision": version::PRECISION,
         "contact_model": {"kind": "rigid", "law": "coulomb", "parameters": parameters},
         "restitution": true, "friction": "cone", "reports_contacts": version::reports_contacts(&settings),
-        "levels": ["simulate"], "bodies": ["free", "static", "prescribed"], "options": options,
+        "levels": ["simulate"], "bodies": ["free", "static", "prescribed"],
+        "shapes": ["sphere", "box", "capsule", "cylinder"], "options": options,
     }))
 }
 

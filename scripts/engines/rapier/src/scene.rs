@@ -53,6 +53,12 @@ pub struct Body {
     pub sphere: Option<Sphere>,
     #[serde(rename = "box", default)]
     pub cuboid: Option<Cuboid>,
+    /// Along the body's z axis.
+    #[serde(default)]
+    pub capsule: Option<Rod>,
+    /// Along the body's z axis.
+    #[serde(default)]
+    pub cylinder: Option<Rod>,
     /// \[kg\]; none if the body is not free.
     #[serde(default)]
     pub mass: Option<f64>,
@@ -105,6 +111,26 @@ pub struct Cuboid {
     unknown: Unknown,
 }
 
+/// A cylinder of the height 2l, with or without a half ball at each end.
+#[derive(Debug, Deserialize)]
+pub struct Rod {
+    /// \[m\].
+    pub radius: f64,
+    /// l \[m\].
+    pub half_height: f64,
+    #[serde(flatten)]
+    unknown: Unknown,
+}
+
+/// The one shape of a body.
+#[derive(Debug)]
+pub enum Shape<'a> {
+    Sphere(&'a Sphere),
+    Cuboid(&'a Cuboid),
+    Capsule(&'a Rod),
+    Cylinder(&'a Rod),
+}
+
 /// Coefficients of every pair, with exceptions.
 #[derive(Debug, Deserialize)]
 pub struct Material {
@@ -152,7 +178,9 @@ impl Scene {
             .chain(self.bodies.iter().map(|body| ("scene.bodies", &body.unknown)))
             .chain(self.bodies.iter().flat_map(|body| &body.prescribed).map(|moved| ("scene.bodies.prescribed", &moved.unknown)))
             .chain(self.bodies.iter().flat_map(|body| &body.sphere).map(|sphere| ("scene.bodies.sphere", &sphere.unknown)))
-            .chain(self.bodies.iter().flat_map(|body| &body.cuboid).map(|cuboid| ("scene.bodies.box", &cuboid.unknown)));
+            .chain(self.bodies.iter().flat_map(|body| &body.cuboid).map(|cuboid| ("scene.bodies.box", &cuboid.unknown)))
+            .chain(self.bodies.iter().flat_map(|body| &body.capsule).map(|rod| ("scene.bodies.capsule", &rod.unknown)))
+            .chain(self.bodies.iter().flat_map(|body| &body.cylinder).map(|rod| ("scene.bodies.cylinder", &rod.unknown)));
         for (place, unknown) in parts {
             if let Some(field) = unknown.keys().next() {
                 return Err(Refusal::unsupported(format!("the field `{field}` of {place}")));
@@ -188,12 +216,13 @@ impl Scene {
 
 impl Body {
     fn check(&self, place: &str) -> Outcome<()> {
-        match (&self.sphere, &self.cuboid) {
-            (Some(sphere), None) => positive(&format!("{place}.sphere.radius"), &[sphere.radius])?,
-            (None, Some(cuboid)) => positive(&format!("{place}.box.half_extents"), &cuboid.half_extents)?,
-            (None, None) => return Err(Refusal::unsupported(format!("{place} is neither a sphere nor a box"))),
-            (Some(_), Some(_)) => return Err(Refusal::error(format!("{place} has two shapes"))),
-        }
+        let (field, lengths) = match self.shape(place)? {
+            Shape::Sphere(sphere) => ("sphere.radius", vec![sphere.radius]),
+            Shape::Cuboid(cuboid) => ("box.half_extents", cuboid.half_extents.to_vec()),
+            Shape::Capsule(rod) => ("capsule", vec![rod.radius, rod.half_height]),
+            Shape::Cylinder(rod) => ("cylinder", vec![rod.radius, rod.half_height]),
+        };
+        positive(&format!("{place}.{field}"), &lengths)?;
         match (self.is_free(), self.mass) {
             (true, Some(mass)) => {
                 positive(&format!("{place}.mass"), &[mass])?;
@@ -211,16 +240,45 @@ impl Body {
         !self.is_static && self.prescribed.is_none()
     }
 
-    /// The given moments, else those of the solid: sphere ⅖ m r², box m/3 (b² + c², a² + c², a² + b²).
+    /// The one shape of the body.
+    pub fn shape(&self, place: &str) -> Outcome<Shape<'_>> {
+        let sphere = self.sphere.iter().map(Shape::Sphere);
+        let cuboid = self.cuboid.iter().map(Shape::Cuboid);
+        let capsule = self.capsule.iter().map(Shape::Capsule);
+        let cylinder = self.cylinder.iter().map(Shape::Cylinder);
+        let mut shapes = sphere.chain(cuboid).chain(capsule).chain(cylinder);
+        match (shapes.next(), shapes.next()) {
+            (Some(shape), None) => Ok(shape),
+            (None, _) => Err(Refusal::unsupported(format!("{place} is neither a sphere, a box, a capsule nor a cylinder"))),
+            (Some(_), Some(_)) => Err(Refusal::error(format!("{place} has two shapes"))),
+        }
+    }
+
+    /// The given moments, else those of the solid: sphere ⅖ m r², box m/3 (b² + c², a² + c², a² + b²), cylinder of the height 2l
+    /// m (r²/4 + l²/3, the same, r²/2), capsule a cylinder and two half balls of one density, their centres of mass 3r/8 beyond its ends.
     pub fn principal_moments(&self, mass: f64) -> [f64; 3] {
-        match (&self.inertia, &self.sphere, &self.cuboid) {
-            (Some(inertia), _, _) => *inertia,
-            (None, Some(sphere), _) => [0.4 * mass * sphere.radius * sphere.radius; 3],
-            (None, None, Some(Cuboid { half_extents: [a, b, c], .. })) => {
+        match (&self.inertia, self.shape("a body")) {
+            (Some(inertia), _) => *inertia,
+            (None, Ok(Shape::Sphere(sphere))) => [0.4 * mass * sphere.radius * sphere.radius; 3],
+            (None, Ok(Shape::Cuboid(Cuboid { half_extents: [a, b, c], .. }))) => {
                 [b * b + c * c, a * a + c * c, a * a + b * b].map(|sum| mass / 3.0 * sum)
             }
-            (None, None, None) => [0.0; 3],
+            (None, Ok(Shape::Cylinder(rod))) => rod.moments([mass, 0.0]),
+            (None, Ok(Shape::Capsule(rod))) => {
+                let balls = mass * 2.0 * rod.radius / (3.0 * rod.half_height + 2.0 * rod.radius);
+                rod.moments([mass - balls, balls])
+            }
+            (None, Err(_)) => [0.0; 3],
         }
+    }
+}
+
+impl Rod {
+    /// Of a cylinder and of the two half balls at its ends, by their masses.
+    fn moments(&self, [middle, balls]: [f64; 2]) -> [f64; 3] {
+        let (r, l) = (self.radius, self.half_height);
+        let across = middle * (r * r / 4.0 + l * l / 3.0) + balls * (0.4 * r * r + l * l + 0.75 * l * r);
+        [across, across, 0.5 * middle * r * r + 0.4 * balls * r * r]
     }
 }
 
@@ -292,9 +350,35 @@ pub mod tests {
     }
 
     #[test]
+    fn a_rod_has_the_moments_of_its_solid() {
+        let moments = |shape: &str| {
+            let mut scene = ball();
+            scene["bodies"][0]["sphere"].take();
+            scene["bodies"][0][shape] = json!({"radius": 2.0, "half_height": 3.0});
+            Scene::read(&scene).expect("valid").bodies[0].principal_moments(12.0)
+        };
+        assert_eq!(moments("cylinder"), [48.0, 48.0, 24.0]);
+        // 4/13 of the mass in the balls: the half balls' own ∫ x² + (z + l)² dm by hand
+        let (middle, balls) = (12.0 * 9.0 / 13.0, 12.0 * 4.0 / 13.0);
+        let across = middle * (1.0 + 3.0) + balls * (1.6 + 9.0 + 4.5);
+        let expected = [across, across, 2.0 * middle + 1.6 * balls];
+        for (found, expected) in moments("capsule").iter().zip(expected) {
+            assert!((found - expected).abs() <= 8.0 * f64::EPSILON * expected, "{found} {expected}");
+        }
+    }
+
+    #[test]
+    fn a_body_has_one_shape() {
+        let two = changed("/bodies/0/capsule", json!({"radius": 1, "half_height": 1}));
+        assert!(matches!(two, Err(Refusal::Error(_))));
+        let flat = changed("/bodies/0/sphere", json!(null));
+        assert!(matches!(flat, Err(Refusal::Unsupported(_))));
+    }
+
+    #[test]
     fn what_rapier_or_this_adapter_cannot_express_is_unsupported() {
         for (pointer, value) in [
-            ("/bodies/0/capsule", json!({"radius": 1})),
+            ("/bodies/0/cone", json!({"radius": 1})),
             ("/bodies/0/sphere", json!(null)),
             ("/material/rolling_friction", json!(0.1)),
             ("/ground/height_field", json!([])),

@@ -6,7 +6,7 @@
 use crate::options::{Settings, of_request};
 use crate::protocol::{Outcome, Refusal};
 use crate::recorder::{BodyState, Recorder};
-use crate::scene::{Body, GROUND, Ground, Scene};
+use crate::scene::{Body, GROUND, Ground, Scene, Shape};
 use crate::version::rapier::parry::mass_properties::MassProperties;
 use crate::version::rapier::prelude::*;
 use crate::version::{self, Real, World};
@@ -86,7 +86,7 @@ impl<'a> Run<'a> {
         let mut world = World::new(version::parameters(settings, time_step), version::vector(scene.gravity), pair_table(scene));
         if let Some(ground) = &scene.ground {
             let (body, shape) = ground_of(scene, ground, settings);
-            world.insert(body, collider(shape, scene, GROUND, 0));
+            world.insert(body, collider((shape, Pose::IDENTITY), scene, GROUND, 0));
         }
         let handles = scene.bodies.iter().enumerate().map(|(index, body)| {
             let collider = collider(shape(body), scene, &body.name, index as u128 + 1);
@@ -163,10 +163,11 @@ fn pair_table(scene: &Scene) -> PairTable {
 }
 
 /// Both colliders of a pair have the same coefficients, so that the larger of the two is the pair's.
-fn collider(shape: SharedShape, scene: &Scene, name: &str, number: u128) -> Collider {
+fn collider((shape, place): (SharedShape, Pose), scene: &Scene, name: &str, number: u128) -> Collider {
     let has_own_pairs = scene.material.pairs.iter().any(|pair| pair.bodies.iter().any(|body| body == name));
     let hooks = if has_own_pairs { ActiveHooks::MODIFY_SOLVER_CONTACTS } else { ActiveHooks::empty() };
     ColliderBuilder::new(shape)
+        .position(place)
         .density(0.0)
         .friction(scene.material.friction as Real)
         .friction_combine_rule(CoefficientCombineRule::Max)
@@ -177,14 +178,17 @@ fn collider(shape: SharedShape, scene: &Scene, name: &str, number: u128) -> Coll
         .build()
 }
 
-fn shape(body: &Body) -> SharedShape {
-    match (&body.sphere, &body.cuboid) {
-        (Some(sphere), _) => SharedShape::ball(sphere.radius as Real),
-        (None, Some(cuboid)) => {
+/// The shape, and how it lies in the body: Rapier's cylinders are along y.
+fn shape(body: &Body) -> (SharedShape, Pose) {
+    let upright = Pose::from_parts(version::vector([0.0; 3]), Rotation::from_rotation_arc(Vector::Y, Vector::Z));
+    match body.shape("a body").unwrap_or_else(|_| unreachable!("the scene was checked")) {
+        Shape::Sphere(sphere) => (SharedShape::ball(sphere.radius as Real), Pose::IDENTITY),
+        Shape::Cuboid(cuboid) => {
             let [a, b, c] = cuboid.half_extents.map(|x| x as Real);
-            SharedShape::cuboid(a, b, c)
+            (SharedShape::cuboid(a, b, c), Pose::IDENTITY)
         }
-        (None, None) => unreachable!("the scene was checked"),
+        Shape::Capsule(rod) => (SharedShape::capsule_z(rod.half_height as Real, rod.radius as Real), Pose::IDENTITY),
+        Shape::Cylinder(rod) => (SharedShape::cylinder(rod.half_height as Real, rod.radius as Real), upright),
     }
 }
 
