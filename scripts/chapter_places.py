@@ -46,7 +46,9 @@ def outline(lines):
 
 
 def is_whole(text):
-    """Whether no formula, bracket, quotation, name in code or bold word is cut."""
+    """Whether no formula, bracket, quotation, name in code or bold word is cut, and no formula has Chinese words in it, which nobody draws."""
+    if not all(formula.isascii() for formula in FORMULA.findall(text)):
+        return False
     rest = FORMULA.sub("", text)
     if "\\" in rest or any(rest.count(mark) % 2 for mark in ('"', "`", "**")):
         return False

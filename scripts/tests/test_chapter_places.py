@@ -28,6 +28,9 @@ class Clause(unittest.TestCase):
         self.assertEqual(clause('所谓"接触,分离"二者,其一', '离"二'), '"接触,分离"二者')
         self.assertEqual(clause("这是**严格,唯一**的解,其一", "唯一**的"), "这是**严格,唯一**的解")
 
+    def test_a_formula_with_words_is_left_out(self):
+        self.assertEqual(clause(r"证明它等价于条件 \(x\ \text{或}\ y\),其一", "等价于"), "证明它等价于条件")
+
     def test_a_number_is_not_cut(self):
         self.assertEqual(clause("步长为 0.5 或 1,000 步,其一", "1,0"), "步长为 0.5 或 1,000 步")
 

@@ -163,9 +163,9 @@ mod tests {
         for cut in [
             "设 \\(M(q)\\suc",
             "=\\ell) 的解",
-            "的每个元素(用",
-            "锥内部),滑动时",
-            "满足\"要么",
+            "each element(of",
+            "the cone),sliding",
+            "either \"or",
             "结果**系统性不同",
             "短句",
             &"长".repeat(81),

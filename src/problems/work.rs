@@ -16,7 +16,7 @@ use moreau_contact::tolerance::solvers::SYMMETRY;
 use rayon::prelude::*;
 
 /// Iterations that are allowed: one that needs more counts as one without an answer.
-const MOST: usize = 1000;
+const MOST: usize = 500;
 
 /// The passes of some iterations at the problems of some laws.
 #[derive(Clone, Debug, PartialEq)]
