@@ -10,24 +10,16 @@
 //! The last line has (A d)_n = −y_n of the one above in it. η on the diagonal of the rows that ask for a velocity makes the system regular
 //! where several impulses give one velocity, as in [`nonsmooth_newton`](super::super::nonsmooth_newton).
 
-use super::friction::Contacts;
+use super::contacts::{Contacts, Step};
+use super::elimination::eliminate;
 use crate::operator::Operator;
 use crate::problem::ContactProblem;
-
-/// What a step starts from.
-pub(super) struct Step<const D: usize> {
-    /// The contacts that press, growing, and how many.
-    pub pressing: [usize; super::MOST],
-    pub count: usize,
-    /// max |F| of the rows, in impulses \[N·s\].
-    pub residual: f64,
-}
 
 /// One step with η from the impulses and y of `contacts`, of up to M rows that press; `None` where the system is singular.
 pub(super) fn step<const D: usize, const M: usize>(
     problem: &ContactProblem,
     contacts: &Contacts<D>,
-    step: &Step<D>,
+    step: &Step,
     proximal: f64,
 ) -> Option<[f64; M]> {
     let pressing = &step.pressing[..step.count];
@@ -68,40 +60,4 @@ fn gather<const D: usize, const M: usize>(problem: &ContactProblem, members: &[u
     for (place, &k) in members.iter().enumerate() {
         (0..D).for_each(|row| matrix[place * D + row][place * D + row] += problem.row_compliance(k * D + row));
     }
-}
-
-/// Columns that the processor takes at once; M is a multiple of it.
-const GROUP: usize = 4;
-
-/// Replaces b by the x with A x = b, of the first `size` rows and columns; `None` if a pivot is zero or no number. Rows are exchanged, and
-/// zeros passed over. A group of columns is taken whole: what stands left of the pivot in it is not read any more.
-pub(super) fn eliminate<const M: usize>(matrix: &mut [[f64; M]; M], x: &mut [f64; M], size: usize) -> Option<()> {
-    for k in 0..size {
-        let larger = |best: usize, row: usize| if matrix[row][k].abs() > matrix[best][k].abs() { row } else { best };
-        let pivot = (k + 1..size).fold(k, larger);
-        if pivot != k {
-            matrix.swap(k, pivot);
-            x.swap(k, pivot);
-        }
-        let (above, below) = matrix.split_at_mut(k + 1);
-        let row = &above[k];
-        if !(row[k] != 0.0 && row[k].is_finite()) {
-            return None;
-        }
-        let (inverse, top, groups) = (1.0 / row[k], x[k], (k + 1) / GROUP..size.div_ceil(GROUP));
-        let row = row.as_chunks::<GROUP>().0.get(groups.clone()).unwrap_or_default();
-        for (other, right) in below[..size - k - 1].iter_mut().zip(&mut x[k + 1..size]).filter(|(other, _)| other[k] != 0.0) {
-            let factor = other[k] * inverse;
-            for (entries, above) in other.as_chunks_mut::<GROUP>().0[groups.clone()].iter_mut().zip(row) {
-                (0..GROUP).for_each(|place| entries[place] -= factor * above[place]);
-            }
-            *right -= factor * top;
-        }
-    }
-    for k in (0..size).rev() {
-        let row = &matrix[k];
-        let known: f64 = row[k + 1..size].iter().zip(&x[k + 1..size]).map(|(entry, x)| entry * x).sum();
-        x[k] = (x[k] - known) / row[k];
-    }
-    Some(())
 }

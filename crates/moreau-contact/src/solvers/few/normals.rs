@@ -12,22 +12,14 @@
 //! ```
 //! w rounds by at most (n + 2)ε/2 S here and by (n + 3)ε/2 S there, together less than the other half of γ S. So it is not asked.
 
-use super::{MOST, answer, path, relative};
-use crate::operator::Operator;
+use super::elimination::eliminate;
+use super::parts::{MOST, answer, relative};
+use super::path;
+use super::rows::{Rows, Support, bit};
 use crate::problem::{ContactProblem, Solution};
 use crate::tolerance::certificate::{HIDDEN, gamma};
 use crate::tolerance::solvers::direct_steps;
 use nalgebra::DVector;
-
-/// Rows as bits.
-pub(super) type Support = u16;
-
-/// M and q.
-pub(super) struct Normals {
-    pub size: usize,
-    pub matrix: [[f64; MOST]; MOST],
-    pub vector: [f64; MOST],
-}
 
 /// What a support leads to.
 struct Point {
@@ -40,7 +32,7 @@ struct Point {
 
 /// The answer by a support.
 pub(super) fn solve(problem: &ContactProblem, start: Option<&DVector<f64>>, enough: f64) -> Option<Solution> {
-    let (normals, rows) = (Normals::of(problem)?, problem.rows_per_contact());
+    let (normals, rows) = (Rows::of(problem)?, problem.rows_per_contact());
     let pressed = |k: &usize| start.is_some_and(|start| start[k * rows] > 0.0);
     let guess = (0..normals.size).filter(pressed).fold(0, |support, k| support | bit(k));
     let (name, (point, steps)) = match normals.newton_min(guess) {
@@ -55,36 +47,7 @@ pub(super) fn solve(problem: &ContactProblem, start: Option<&DVector<f64>>, enou
     is_good.then_some(solution)
 }
 
-/// The support of one row.
-pub(super) fn bit(row: usize) -> Support {
-    1 << row
-}
-
-impl Normals {
-    /// Of a W that is stored.
-    pub(super) fn of(problem: &ContactProblem) -> Option<Normals> {
-        let (size, rows) = (problem.contacts(), problem.rows_per_contact());
-        let mut normals = Normals { size, matrix: [[0.0; MOST]; MOST], vector: [0.0; MOST] };
-        match problem.delassus() {
-            Operator::Dense(dense) => {
-                for k in 0..size {
-                    let column = &dense.as_slice()[k * rows * size * rows..][..size * rows];
-                    (0..size).for_each(|j| normals.matrix[j][k] = column[j * rows]);
-                }
-            }
-            stored => {
-                let blocks = stored.blocks()?;
-                (0..size).for_each(|k| blocks.column(k).for_each(|(j, block)| normals.matrix[j][k] = block[0]));
-            }
-        }
-        let (free, shift) = (problem.free_velocity().as_slice(), problem.shift().as_slice());
-        for k in 0..size {
-            normals.matrix[k][k] += problem.row_compliance(k * rows);
-            normals.vector[k] = free[k * rows] + shift[k * rows];
-        }
-        Some(normals)
-    }
-
+impl Rows {
     /// Newton-min from a support, until it comes to one that it has seen.
     fn newton_min(&self, mut support: Support) -> Option<(Point, usize)> {
         let mut seen = [0; direct_steps(MOST) + 1];
@@ -160,7 +123,7 @@ impl Normals {
             members.iter().enumerate().for_each(|(j, column)| block[i][j] = self.matrix[*row][*column]);
             x[i] = -right_side[*row];
         }
-        super::newton::eliminate(&mut block, &mut x, count)?;
+        eliminate(&mut block, &mut x, count)?;
         members.iter().zip(x).for_each(|(row, x)| z[*row] += x);
         Some(())
     }

@@ -6,8 +6,8 @@
 //! Ties are broken lexicographically on the rows of (q, B⁻¹), as [`lemke`](super::super::lemke) does with bounds of every error. Here there
 //! are none: only the support at the end counts, and what it leads to is judged.
 
-use super::MOST;
-use super::normals::{Normals, Support, bit};
+use super::parts::MOST;
+use super::rows::{Rows, Support, bit};
 use crate::tolerance::complementarity::negligible;
 use crate::tolerance::solvers::lemke_pivot_limit;
 
@@ -22,7 +22,7 @@ struct Tableau {
 }
 
 /// The rows of z that are basic at the end of the path, and the number of pivots; `None` on a ray or after too many.
-pub(super) fn follow(normals: &Normals) -> Option<(Support, usize)> {
+pub(super) fn follow(normals: &Rows) -> Option<(Support, usize)> {
     let mut tableau = Tableau::new(normals);
     let n = tableau.size;
     let (mut entering, mut row) = (2 * n, tableau.first());
@@ -38,7 +38,7 @@ pub(super) fn follow(normals: &Normals) -> Option<(Support, usize)> {
 }
 
 impl Tableau {
-    fn new(normals: &Normals) -> Tableau {
+    fn new(normals: &Rows) -> Tableau {
         let n = normals.size;
         let mut scale = [1.0; MOST];
         for (i, scale) in scale[..n].iter_mut().enumerate().filter(|(i, _)| normals.matrix[*i][*i] > 0.0) {
