@@ -148,7 +148,7 @@ fn the_pages_have_the_main_equations() {
     {
         assert!(contact.contains(equation), "{equation} is not in\n{contact}");
     }
-    for equation in ["M̂(v⁺−v)=hF", "0≤r_n⟂φ/h", "q⁺=q+hv⁺", "θv⁺+(1−θ)v", "½rᵀWr"] {
+    for equation in ["M(v⁺−v)=hF_θ", "0≤r_n⟂φ/h", "q⁺=q+hv⁺", "θv⁺+(1−θ)v", "½rᵀWr"] {
         assert!(dynamics.contains(equation), "{equation} is not in\n{dynamics}");
     }
     for equation in ["R_t=σw", "a₀=M⁻¹F(q,v)", "v⁺=v+ha"] {

@@ -1,9 +1,10 @@
 //! The folder of a report: refused if it holds anything else, and written whole or not at all.
 //!
 //! ```text
-//!     .NAME.new-PID/  ──► NAME        what stood there goes to .NAME.old-PID/ first, and away at the end
+//!     .NAME.new-N/  ──► NAME        what stood there goes to .NAME.old-N/ first, and away at the end
 //! ```
-//! A run that is stopped between the two leaves NAME empty and its report aside: the next run puts that back first.
+//! N is the number of the process, or the next one that is free. A run that is stopped between the two leaves nothing at NAME and its
+//! report aside: the next run puts that back first, if it is whole, and tells what else lies there.
 
 use crate::report::site::document::{FILE, SCHEMA};
 use crate::{Error, Result};
@@ -17,8 +18,8 @@ use std::path::{Path, PathBuf};
 /// A folder that may be written.
 pub struct Target {
     folder: PathBuf,
-    /// What an earlier run left beside it, as a sentence each.
-    left: Vec<String>,
+    /// N.
+    number: u32,
 }
 
 /// What is read of the report that stands there.
@@ -28,16 +29,34 @@ struct Before {
     files: BTreeSet<String>,
 }
 
+/// What a stopped run left, by its name.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Left {
+    /// What stood at NAME.
+    Old,
+    /// What was being written.
+    New,
+}
+
+impl Left {
+    fn word(self) -> &'static str {
+        match self {
+            Left::Old => "old",
+            Left::New => "new",
+        }
+    }
+}
+
 impl Target {
-    /// A folder that is not there, is empty, or holds a report and nothing else.
+    /// A folder that is not there, is empty, or holds a report and nothing else; `tell` is told in sentences what earlier runs left beside it.
     ///
     /// # Errors
     /// If it is none of these, or the folder around it is not there.
-    pub fn new(folder: &Path) -> Result<Self> {
-        Target::checked(folder, |from, to| fs::rename(from, to))
+    pub fn new(folder: &Path, tell: impl FnMut(&str)) -> Result<Self> {
+        Target::checked(folder, tell, |from, to| fs::rename(from, to))
     }
 
-    fn checked(folder: &Path, rename: impl Fn(&Path, &Path) -> io::Result<()>) -> Result<Self> {
+    fn checked(folder: &Path, tell: impl FnMut(&str), rename: impl Fn(&Path, &Path) -> io::Result<()>) -> Result<Self> {
         let refused = |problem: String, cure: &str| Err(Error::invalid("--out", problem, cure));
         let Some(name) = folder.file_name() else {
             return refused(format!("is {}, which is no name of a folder", folder.display()), "name a new folder");
@@ -49,8 +68,11 @@ impl Target {
         if !around.is_dir() {
             return refused(format!("is in {}, which is no folder", around.display()), "make that folder first");
         }
-        let mut target = Target { folder: around.join(name), left: Vec::new() };
-        target.left = target.take_up(around)?;
+        let mut target = Target { folder: around.join(name), number: std::process::id() };
+        target.take_up(around, tell)?;
+        while [Left::Old, Left::New].iter().any(|what| fs::symlink_metadata(target.beside(*what)).is_ok()) {
+            target.number = target.number.wrapping_add(1);
+        }
         let problem = match fs::symlink_metadata(&target.folder) {
             Err(_) => None,
             Ok(what) if !what.is_dir() => Some("which is no folder".to_string()),
@@ -60,18 +82,15 @@ impl Target {
             return refused(format!("is {}, {problem}", folder.display()), &target.cure());
         }
         // what cannot be written is known before anything is computed
-        let new = target.beside("new");
+        let new = target.beside(Left::New);
         fs::create_dir(&new).and_then(|()| fs::remove_dir(&new)).map_err(|source| Error::Write { file: new, source })?;
         if let Err(error) = target.try_to_move(rename) {
-            let problem = format!("is {}, which cannot be put aside ({error}), as a mount point cannot", folder.display());
+            let mount = ", as a mount point cannot";
+            let why = if matches!(error.kind(), io::ErrorKind::ResourceBusy | io::ErrorKind::CrossesDevices) { mount } else { "" };
+            let problem = format!("is {}, which cannot be put aside ({error}){why}", folder.display());
             return refused(problem, "name a folder inside of it, or take it away");
         }
         Ok(target)
-    }
-
-    /// What an earlier run left beside the folder, as a sentence each, for the user.
-    pub fn left(&self) -> &[String] {
-        &self.left
     }
 
     /// Whether what stands there can be replaced: it goes aside and back.
@@ -79,15 +98,15 @@ impl Target {
         if !self.folder.exists() {
             return Ok(());
         }
-        let old = self.beside("old");
+        let old = self.beside(Left::Old);
         rename(&self.folder, &old)?;
-        rename(&old, &self.folder)
+        rename(&old, &self.folder).map_err(|error| aside(&old, &error))
     }
 
     /// What to do about a folder with something else in it.
     fn cure(&self) -> String {
         match stranger(&self.folder) {
-            Ok(Some(file)) if is_report(&self.folder) => {
+            Ok(Some(file)) if !of_report(&self.folder).is_empty() => {
                 let path = self.folder.join(&file);
                 format!(
                     "take {} away, which some program put into the report, and the report is replaced; or name another folder",
@@ -99,76 +118,99 @@ impl Target {
     }
 
     /// Puts back what a run that was stopped had set aside, where nothing stands in its place; tells of everything else that such runs left.
-    fn take_up(&self, around: &Path) -> Result<Vec<String>> {
+    fn take_up(&self, around: &Path, mut tell: impl FnMut(&str)) -> Result<()> {
+        for (what, path) in self.left_by_others(around)? {
+            let shown = path.display();
+            if let Some(file) = stranger(&path)? {
+                tell(&format!("{shown} is of another run and holds {file}, which is not of a report: look at it before you take it away"));
+            } else if what == Left::Old && is_whole(&path) && fs::symlink_metadata(&self.folder).is_err() {
+                fs::rename(&path, &self.folder).map_err(|source| Error::Write { file: self.folder.clone(), source })?;
+                tell(&format!("put the report back that a run which was stopped had set aside as {shown}"));
+            } else {
+                tell(&format!("{shown} is of another run: if that was stopped, take it away"));
+            }
+        }
+        Ok(())
+    }
+
+    /// What runs left beside the folder, the old before the new.
+    fn left_by_others(&self, around: &Path) -> Result<Vec<(Left, PathBuf)>> {
         let wrong = |source: io::Error| Error::Read { file: around.into(), source };
         let name = self.folder.file_name().unwrap_or_default().to_string_lossy();
-        let mut told = Vec::new();
-        let mut found: Vec<PathBuf> = Vec::new();
+        let mut found = Vec::new();
         for entry in fs::read_dir(around).map_err(wrong)? {
             let entry = entry.map_err(wrong)?;
             let file = entry.file_name().to_string_lossy().into_owned();
-            let of_run = ["new", "old"].iter().any(|what| {
-                let process = file.strip_prefix(&format!(".{name}.{what}-"));
-                process.is_some_and(|process| !process.is_empty() && process.bytes().all(|digit| digit.is_ascii_digit()))
-            });
-            if of_run {
-                found.push(entry.path());
+            let of_run = |what: &Left| {
+                let number = file.strip_prefix(&format!(".{name}.{}-", what.word()));
+                number.is_some_and(|number| !number.is_empty() && number.bytes().all(|digit| digit.is_ascii_digit()))
+            };
+            if let Some(what) = [Left::Old, Left::New].into_iter().find(of_run).filter(|_| entry.path().is_dir()) {
+                found.push((what, entry.path()));
             }
         }
         found.sort();
-        for path in found {
-            if is_report(&path) && stranger(&path)?.is_none() && fs::symlink_metadata(&self.folder).is_err() {
-                fs::rename(&path, &self.folder).map_err(|source| Error::Write { file: self.folder.clone(), source })?;
-                told.push(format!("put the report back that a run which was stopped had set aside as {}", path.display()));
-            } else {
-                told.push(format!("{} is of another run: if that was stopped, take it away", path.display()));
-            }
-        }
-        Ok(told)
+        Ok(found)
     }
 
-    /// Writes the files in place of what stood there.
+    /// Writes the files in place of what stood there; `tell` is told where that cannot be taken away afterwards.
     ///
     /// # Errors
-    /// If a file cannot be written; then what stood there still stands.
-    pub fn write(&self, files: &[File]) -> Result<()> {
-        let (new, old) = (self.beside("new"), self.beside("old"));
+    /// If a file cannot be written; then what stood there still stands, or the error says where it is.
+    pub fn write(&self, files: &[File], tell: impl FnMut(&str)) -> Result<()> {
+        let (new, old) = (self.beside(Left::New), self.beside(Left::Old));
         let wrong = |source: io::Error| Error::Write { file: self.folder.clone(), source };
-        let written = fill(&new, files).and_then(|()| self.replace(&new, &old));
+        // a folder that another one made is not ours to take away
+        fs::create_dir(&new).map_err(|source| Error::Write { file: new.clone(), source })?;
+        let written = fill(&new, files).and_then(|()| self.replace(&new, &old, tell));
         if written.is_err() {
             let _ = fs::remove_dir_all(&new); // of what was not written nothing stays
         }
         written.map_err(wrong)
     }
 
-    fn replace(&self, new: &Path, old: &Path) -> io::Result<()> {
+    fn replace(&self, new: &Path, old: &Path, mut tell: impl FnMut(&str)) -> io::Result<()> {
         if !self.folder.exists() {
             return fs::rename(new, &self.folder);
         }
+        // once more, before and after: somebody may have put something there while the report was computed
+        nothing_strange(&self.folder)?;
         fs::rename(&self.folder, old)?;
-        // once more: somebody may have put something there while the report was computed
-        let put = match stranger(old) {
-            Ok(None) => fs::rename(new, &self.folder),
-            Ok(Some(file)) => Err(io::Error::other(format!("{file} was put there meanwhile, and that is not of a report"))),
-            Err(error) => Err(io::Error::other(error.to_string())),
-        };
-        if let Err(error) = put {
-            fs::rename(old, &self.folder)?;
+        if let Err(error) = nothing_strange(old).and_then(|()| fs::rename(new, &self.folder)) {
+            fs::rename(old, &self.folder).map_err(|error| aside(old, &error))?;
             return Err(error);
         }
-        fs::remove_dir_all(old)
+        if let Err(error) = fs::remove_dir_all(old) {
+            tell(&format!("what stood there before cannot be taken away whole ({error}): it is {}", old.display()));
+        }
+        Ok(())
     }
 
-    /// A folder beside this one, of this process.
-    fn beside(&self, what: &str) -> PathBuf {
+    /// A folder beside this one, of this run.
+    fn beside(&self, what: Left) -> PathBuf {
         let name = self.folder.file_name().unwrap_or_default().to_string_lossy();
-        self.folder.with_file_name(format!(".{name}.{what}-{}", std::process::id()))
+        self.folder.with_file_name(format!(".{name}.{}-{}", what.word(), self.number))
     }
 }
 
-/// Whether a folder is marked as a report.
-fn is_report(folder: &Path) -> bool {
-    !of_report(folder).is_empty()
+/// What to say where something was put aside and does not go back.
+fn aside(old: &Path, error: &io::Error) -> io::Error {
+    io::Error::other(format!("what stood there is {} and does not go back: {error}", old.display()))
+}
+
+/// An error where a folder holds what no report has written.
+fn nothing_strange(folder: &Path) -> io::Result<()> {
+    match stranger(folder) {
+        Ok(None) => Ok(()),
+        Ok(Some(file)) => Err(io::Error::other(format!("{file} was put there meanwhile, and that is not of a report"))),
+        Err(error) => Err(io::Error::other(error.to_string())),
+    }
+}
+
+/// Whether a folder is marked as a report and has all of its files.
+fn is_whole(folder: &Path) -> bool {
+    let files = of_report(folder);
+    !files.is_empty() && files.iter().all(|file| folder.join(file).is_file())
 }
 
 /// The files of the report in a folder; none if it is marked as none.
@@ -186,7 +228,6 @@ fn stranger(folder: &Path) -> Result<Option<String>> {
 }
 
 fn fill(folder: &Path, files: &[File]) -> io::Result<()> {
-    fs::create_dir(folder)?;
     for file in files {
         let path = folder.join(&file.path);
         if let Some(around) = path.parent() {
@@ -217,168 +258,4 @@ fn files(folder: &Path, prefix: &str) -> Result<Vec<String>> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// An empty folder of this test, which goes away with it.
-    struct Empty(PathBuf);
-
-    impl Empty {
-        fn new(name: &str) -> Self {
-            let folder = std::env::temp_dir().join(format!("moreau-report-{name}-{}", std::process::id()));
-            fs::create_dir(&folder).expect("a new folder");
-            Empty(folder)
-        }
-
-        fn names(&self) -> Vec<String> {
-            files(&self.0, "").expect("readable")
-        }
-    }
-
-    impl Drop for Empty {
-        fn drop(&mut self) {
-            let _ = fs::remove_dir_all(&self.0);
-        }
-    }
-
-    fn report(names: &[&str]) -> Vec<File> {
-        let marker = serde_json::json!({"schema": SCHEMA, "files": names}).to_string();
-        let mut files: Vec<File> = names.iter().map(|name| File { path: (*name).into(), text: "text".into() }).collect();
-        files.push(File { path: FILE.into(), text: marker });
-        files
-    }
-
-    fn refusal(folder: &Path) -> String {
-        Target::new(folder).map(|_| ()).expect_err("refused").to_string()
-    }
-
-    #[test]
-    fn a_report_is_written_and_replaced_whole() {
-        let room = Empty::new("whole");
-        let folder = room.0.join("report");
-        for names in [&["index.html", "zh/index.html"][..], &["index.html"]] {
-            Target::new(&folder).expect("new or a report").write(&report(names)).expect("writable");
-            let expected: Vec<String> = names.iter().copied().chain([FILE]).map(|name| format!("report/{name}")).collect();
-            let mut found = room.names();
-            found.sort_by_key(|name| expected.iter().position(|one| one == name));
-            assert_eq!(found, expected);
-        }
-    }
-
-    #[test]
-    fn an_empty_folder_is_taken_and_one_with_something_else_is_not() {
-        let room = Empty::new("other");
-        assert!(Target::new(&room.0).is_ok());
-        fs::write(room.0.join("thesis.tex"), "text").expect("writable");
-        let message = refusal(&room.0);
-        assert!(message.contains("thesis.tex") && message.contains("name a new or an empty folder"), "{message}");
-    }
-
-    #[test]
-    fn what_stands_in_a_report_and_is_not_of_it_is_kept() {
-        let room = Empty::new("kept");
-        let folder = room.0.join("report");
-        Target::new(&folder).expect("new").write(&report(&["index.html"])).expect("writable");
-        fs::write(folder.join("notes.txt"), "mine").expect("writable");
-        assert!(refusal(&folder).contains("notes.txt"));
-        fs::write(folder.join(FILE), r#"{"schema": "other/1", "files": ["index.html", "notes.txt"]}"#).expect("writable");
-        assert!(Target::new(&folder).is_err(), "another program's report.json marks no report of ours");
-    }
-
-    #[test]
-    fn a_file_that_some_program_put_into_a_report_is_named_with_the_cure() {
-        let room = Empty::new("cure");
-        let folder = room.0.join("report");
-        Target::new(&folder).expect("new").write(&report(&["index.html"])).expect("writable");
-        let dropped = folder.join(".DS_Store");
-        fs::write(&dropped, "icons").expect("writable");
-        let message = refusal(&folder);
-        assert!(message.contains(&format!("take {} away", dropped.display())) && message.contains("is replaced"), "{message}");
-        fs::remove_file(&dropped).expect("writable");
-        assert!(Target::new(&folder).is_ok(), "the cure cures");
-    }
-
-    #[test]
-    fn a_report_that_a_stopped_run_set_aside_is_put_back_and_what_else_it_left_is_told() {
-        let room = Empty::new("stopped");
-        let folder = room.0.join("report");
-        Target::new(&folder).expect("new").write(&report(&["index.html"])).expect("writable");
-        // stopped between the two renames
-        fs::rename(&folder, room.0.join(".report.old-7")).expect("writable");
-        fs::create_dir(room.0.join(".report.new-7")).expect("writable");
-        fs::create_dir(room.0.join(".report.new-mine")).expect("writable");
-        let target = Target::new(&folder).expect("taken up");
-        assert!(folder.join("index.html").is_file());
-        let told = target.left();
-        assert!(told.len() == 2 && told[0].contains(".report.new-7") && told[0].contains("take it away"), "{told:?}");
-        assert!(told[1].contains("put the report back") && told[1].contains(".report.old-7"), "{told:?}");
-        assert!(room.0.join(".report.new-mine").is_dir(), "a name of somebody else's is not looked at");
-    }
-
-    #[test]
-    fn what_was_set_aside_is_not_put_over_what_stands_there() {
-        let room = Empty::new("both");
-        let folder = room.0.join("report");
-        Target::new(&folder).expect("new").write(&report(&["index.html"])).expect("writable");
-        fs::rename(&folder, room.0.join(".report.old-7")).expect("writable");
-        Target::new(&room.0.join("other")).expect("another name").write(&report(&["index.html"])).expect("writable");
-        fs::rename(room.0.join("other"), &folder).expect("writable");
-        let target = Target::new(&folder).expect("a report");
-        assert!(target.left()[0].contains(".report.old-7") && room.0.join(".report.old-7/index.html").is_file());
-    }
-
-    #[test]
-    fn what_can_be_put_aside_still_stands_where_it_was() {
-        let room = Empty::new("aside");
-        let folder = room.0.join("report");
-        fs::create_dir(&folder).expect("writable");
-        assert!(Target::new(&folder).is_ok());
-        assert_eq!(room.names(), ["report/"]);
-    }
-
-    #[test]
-    fn what_cannot_be_put_aside_is_refused_before_anything_is_computed() {
-        let room = Empty::new("mount");
-        let busy = |_: &Path, _: &Path| Err(io::Error::from(io::ErrorKind::ResourceBusy)); // as a mount point answers
-        let message = Target::checked(&room.0, busy).map(|_| ()).expect_err("refused").to_string();
-        assert!(message.contains("mount point") && message.contains("name a folder inside of it"), "{message}");
-        assert!(Target::checked(&room.0.join("new"), busy).is_ok(), "nothing is put aside where nothing stands");
-    }
-
-    #[test]
-    fn what_is_put_there_while_the_report_is_computed_is_kept() {
-        let room = Empty::new("meanwhile");
-        let folder = room.0.join("report");
-        let target = Target::new(&folder).expect("new");
-        fs::create_dir(&folder).expect("writable");
-        fs::write(folder.join("thesis.tex"), "mine").expect("writable");
-        let message = target.write(&report(&["index.html"])).expect_err("refused").to_string();
-        assert!(message.contains("thesis.tex"), "{message}");
-        assert_eq!(room.names(), ["report/thesis.tex"]);
-        fs::remove_file(folder.join("thesis.tex")).expect("writable");
-        fs::create_dir(folder.join("mine")).expect("writable");
-        assert!(target.write(&report(&["index.html"])).is_err(), "an empty folder is somebody's as well");
-    }
-
-    #[test]
-    fn a_file_and_a_folder_in_no_folder_are_refused() {
-        let room = Empty::new("file");
-        let file = room.0.join("file");
-        fs::write(&file, "text").expect("writable");
-        assert!(refusal(&file).contains("no folder"));
-        assert!(refusal(&room.0.join("none").join("report")).contains("make that folder first"));
-        assert!(refusal(Path::new("..")).contains("no name of a folder"));
-    }
-
-    #[test]
-    fn what_cannot_be_written_leaves_what_stood_there() {
-        let room = Empty::new("broken");
-        let folder = room.0.join("report");
-        let target = Target::new(&folder).expect("new");
-        target.write(&report(&["index.html"])).expect("writable");
-        let before = room.names();
-        let twice = ["index.html", "index.html/page.html"]; // a file and a folder of one name
-        assert!(target.write(&report(&twice)).is_err());
-        assert_eq!(room.names(), before);
-    }
-}
+mod tests;

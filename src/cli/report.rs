@@ -43,15 +43,15 @@ not, which the front page says first.";
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
-    let target = Target::new(&arguments.out)?;
-    target.left().iter().for_each(|text| print_aside(&format!("remark: {text}\n")));
+    let remark = |text: &str| print_aside(&format!("remark: {text}\n"));
+    let target = Target::new(&arguments.out, remark)?;
     let claims: Vec<&'static Claim> = claims::all().collect();
     let planted = &sources(&[])[1..]; // all but the engines, which take minutes
     let trials: usize = planted.iter().map(|source| source.trials.len()).sum();
     let parts = claims.len() + systems::Report::size() + trials + pages::parts();
     let bar = progress::parts(parts, "parts of the report");
     let (gathered, files) = progress::shown(&bar, || written(&claims, planted, &bar))?;
-    target.write(&files)?;
+    target.write(&files, remark)?;
     print(&told(&gathered, arguments))?;
     Ok(gathered.holds().into())
 }

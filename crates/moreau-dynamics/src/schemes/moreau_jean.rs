@@ -1,7 +1,7 @@
 //! Moreau–Jean: impact law at velocity level, contacts chosen by a forecast of the gap.
 //!
 //! ```text
-//!     M̂ (v⁺ − v) = h F_θ + Hᵀ r ,   K_μ ∋ r ⟂ y + μ‖y_t‖ n ∈ K_μ* ,   y = H v⁺ + e H v   at active contacts,
+//!     M (v⁺ − v) = h F_θ + Hᵀ r ,   K_μ ∋ r ⟂ y + μ‖y_t‖ n ∈ K_μ* ,   y = H v⁺ + e H v   at active contacts,
 //!     q⁺ = q + h (θ v⁺ + (1−θ) v) .
 //! ```
 //! The gap enters only through the choice of the active contacts, so that choice is part of the scheme. It is taken at its word, as in
@@ -14,7 +14,7 @@
 //! ```text
 //!     v_θ = θ v⁺ + (1−θ) v ,   q_θ = q + h θ v_θ ,   F_θ = F(q, v) − C (v_θ − v) − K (q_θ − q) .
 //! ```
-//! Collecting v⁺ − v on the left gives
+//! Collecting v⁺ − v on the left gives M̂ (v⁺ − v_free) = Hᵀ r with
 //! ```text
 //!     M̂ = M(q) + h θ C + h² θ² K ,      v_free = v + h M̂⁻¹ (F(q, v) − h θ K v) .
 //! ```

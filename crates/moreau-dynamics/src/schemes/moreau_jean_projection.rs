@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!     I = ∅ ,  q⁺ = q + h (θ v_free + (1−θ) v) ;    repeat, while some contact outside I has φ(q⁺) ≤ 0, and joins I:
-//!         M̂ (v⁺ − v) = h F_θ + Hᵀ r ,  H at q⁺ ,   K_μ ∋ r ⟂ y + μ‖y_t‖ n ∈ K_μ* ,   y = H v⁺ + e u_n n ,  u = H(q) v ,   for I
+//!         M (v⁺ − v) = h F_θ + Hᵀ r ,  H at q⁺ ,   K_μ ∋ r ⟂ y + μ‖y_t‖ n ∈ K_μ* ,   y = H v⁺ + e u_n n ,  u = H(q) v ,   for I
 //!         q⁺ = q + h (θ v⁺ + (1−θ) v) ,  then   q⁺ ← q⁺ − H_nᵀ (H_n H_nᵀ)⁻¹ φ   until φ = 0 for all of I
 //! ```
 //! The gap decides implicitly, at the end of the step, where `moreau-jean` forecasts it. The projection is an equality: a contact of I is

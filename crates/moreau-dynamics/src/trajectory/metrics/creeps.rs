@@ -1,8 +1,9 @@
 //! Whether something slow goes on for ever, or comes to rest.
 //!
 //! ```text
-//!     T/2 ──► 3T/4 ──► T        Δ₁ = x(3T/4) − x(T/2) ,   Δ₂ = x(T) − x(3T/4)
-//!     creeps:   |Δ₂| > least · T/4 ,   Δ₁ Δ₂ > 0 ,   |Δ₂| ≥ |Δ₁|/2
+//!     t₁, t₂ the first samples from the half and from three quarters of the way between `from` and the last one, t₃
+//!     s₁ = (x(t₂) − x(t₁))/(t₂ − t₁) ,   s₂ = (x(t₃) − x(t₂))/(t₃ − t₂)
+//!     creeps:   |s₂| > least ,   s₁ s₂ > 0 ,   2|s₂| ≥ |s₁|
 //! ```
 //! What decays has lost more than half of its way from one quarter to the next once its time constant is below T/(4 ln 2); what swings goes
 //! back.
@@ -20,12 +21,9 @@
 /// ```
 pub fn creeps(times: &[f64], positions: &[f64], from: f64, least: f64) -> bool {
     let Some(&end) = times.last() else { return false };
-    let at = |share: f64| {
-        let wanted = from + share * (end - from);
-        let k = times.iter().position(|&t| t >= wanted)?;
-        Some((times[k], *positions.get(k)?))
-    };
-    let (Some(half), Some(late), Some(last)) = (at(0.5), at(0.75), at(1.0)) else { return false };
+    let at = |k: usize| Some((times[k], *positions.get(k)?));
+    let after = |share: f64| times.iter().position(|&t| t >= from + share * (end - from)).and_then(at);
+    let (Some(half), Some(late), Some(last)) = (after(0.5), after(0.75), at(times.len() - 1)) else { return false };
     if half.0 >= late.0 || late.0 >= last.0 {
         return false;
     }
@@ -56,6 +54,14 @@ mod tests {
         assert!(!of(|t| (-4.0 * t).exp(), 0.0, 0.0));
         assert!(of(|t| (-0.1 * t).exp(), 0.0, 0.0), "too slowly to be told from creep");
         assert!(!of(|t| (t * std::f64::consts::PI).cos(), 0.0, 0.0), "it is where it was after its period, to rounding or back again");
+    }
+
+    #[test]
+    fn the_last_sample_is_the_last_whatever_rounding_makes_of_its_time() {
+        let times: Vec<f64> = (0..=34).map(|k| 0.01 * f64::from(k)).collect();
+        let (from, end) = (0.03, times[34]);
+        assert!(from + (end - from) > end, "the sum is beyond the last time");
+        assert!(creeps(&times, &times.iter().map(|t| 0.01 * t).collect::<Vec<_>>(), from, 0.0));
     }
 
     #[test]
