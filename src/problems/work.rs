@@ -1,12 +1,13 @@
 //! How much work iterations need at the collection's problems: passes through W, which are the same on every machine.
 //!
-//! Iterations that factorise nothing are compared alone: each does nothing else that grows with W. A pass is W r for one r, or a sweep over
-//! all contacts. An answer counts with all its passes, those that measured its residual too, and only where the certificate accepts it.
+//! Iterations that factorise nothing are compared alone. A pass is W r for one r, or a sweep over all contacts; the rounding floors of the
+//! certificate, found anew now and then, and the gradients' first estimate of a step read W as well and are not counted. An answer counts with all its passes, those that measured its residual too, and only where the certificate accepts it.
 
 use super::{ALL, Known};
-use crate::Result;
+use crate::error::Failure;
 use crate::problem::{ContactProblem, Law};
 use crate::tolerance::cli::{ASKED_SHARE, CERTIFY};
+use crate::{Error, Result};
 use moreau_contact::certificate::residuals;
 use moreau_contact::operator::passes::counted;
 use moreau_contact::solvers::{
@@ -84,18 +85,23 @@ fn table(group: &Group, problems: &[ContactProblem]) -> Result<Table> {
     let of: Vec<&ContactProblem> = problems.iter().filter(|problem| takes(problem)).collect();
     let row = |problem: &&ContactProblem| {
         let all = iterations();
-        all[..group.asked].iter().map(|(_, solver)| passes(problem, solver.as_ref())).collect::<Result<Vec<f64>>>()
+        all[..group.asked].iter().map(|(_, solver)| passes(problem, solver.as_ref())).collect::<Result<Option<Vec<f64>>>>()
     };
-    let passes = of.par_iter().map(row).collect::<Result<_>>()?;
+    let rows: Vec<Option<Vec<f64>>> = of.par_iter().map(row).collect::<Result<_>>()?;
+    let passes = rows.into_iter().flatten().collect();
     Ok(Table { laws: group.laws, solvers: asked.iter().map(|(name, _)| *name).collect(), passes })
 }
 
-/// How often an iteration goes through W until its answer is accepted; ∞ if it has none.
-fn passes(problem: &ContactProblem, solver: &dyn ContactSolver) -> Result<f64> {
+/// How often an iteration goes through W until its answer is accepted; ∞ if it has none, nothing where it does not take the problem.
+fn passes(problem: &ContactProblem, solver: &dyn ContactSolver) -> Result<Option<f64>> {
     let (answer, passes) = counted(|| solver.solve(problem, None));
-    let Ok(answer) = answer else { return Ok(f64::INFINITY) };
+    let answer = match answer {
+        Ok(answer) => answer,
+        Err(Error::Solver { failure: Failure::Refused, .. }) => return Ok(None),
+        Err(_) => return Ok(Some(f64::INFINITY)),
+    };
     let is_accepted = residuals(problem, &answer)?.is_solution(CERTIFY);
-    Ok(if is_accepted { passes as f64 } else { f64::INFINITY })
+    Ok(Some(if is_accepted { passes as f64 } else { f64::INFINITY }))
 }
 
 #[cfg(test)]
@@ -114,7 +120,7 @@ mod tests {
             }
         }
         // no counter stands still: a problem of one contact under pgs takes a sweep, a look at it and u of the answer
-        let single = passes(&ALL[0].problem().expect("stored"), iterations()[0].1.as_ref()).expect("an answer");
+        let single = passes(&ALL[0].problem().expect("stored"), iterations()[0].1.as_ref()).expect("readable").expect("taken");
         assert!((2.0..=6.0).contains(&single), "{single}");
     }
 }

@@ -3,6 +3,7 @@
 //! ```text
 //!     one pass     W r for one r, or one sweep, which changes the impulse of every contact once
 //! ```
+//! Counted are the products of the operator for a whole r and the sweeps of `pgs` and `psor`; what goes through W contact by contact elsewhere, or through |W|, is not.
 //! What factorises W does its work elsewhere: its passes say nothing of it. Passes are counted on the thread that makes them; a sweep in
 //! several threads is one pass of the thread that waits for it.
 
@@ -12,7 +13,7 @@ thread_local! {
     static PASSES: Cell<usize> = const { Cell::new(0) };
 }
 
-/// Runs `work` on this thread, with the number of passes through W that it made.
+/// Runs `work` on this thread, with the number of passes through W that are counted.
 /// ```
 /// use moreau_contact::nalgebra::{DMatrix, dvector};
 /// use moreau_contact::operator::passes::counted;

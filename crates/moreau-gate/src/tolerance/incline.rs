@@ -10,6 +10,11 @@ pub fn creep(pull: f64, h: f64, epsilon: f64, size: f64, time: f64) -> f64 {
     SOLVED * pull * h + 2.0 * epsilon * size / time
 }
 
+/// A slower creep \[m/s\] is not told from rounding where creeps are drawn: a nanometre per second, about a thousandth of what a
+/// sound discretisation may make at the smallest step of the scoreboard.
+/// Set.
+pub const SLOWEST: f64 = 1e-9;
+
 /// Relative error of a creep that is predicted at the undeformed corners: a depth δ displaces every contact by at most δ and so changes
 /// moments about a lever c, and with them the loads of the corners, by at most 2δ/c; the softness of a contact changes with its load by no
 /// more than its load does (d rises with the depth), and the corner's lever changes w by less.

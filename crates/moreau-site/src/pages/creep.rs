@@ -24,8 +24,9 @@ const READ: Words = Words {
 /// The table.
 pub fn table(view: &View) -> Markup {
     let engines = &view.report.given.creep;
-    let steps = engines.iter().map(|creep| &creep.steps).max_by_key(|steps| steps.len());
-    let steps: Vec<f64> = steps.into_iter().flatten().map(|step| step.time_step).collect();
+    let mut steps: Vec<f64> = engines.iter().flat_map(|creep| &creep.steps).map(|step| step.time_step).collect();
+    steps.sort_by(|one, other| other.total_cmp(one));
+    steps.dedup();
     let table = html! {
         table {
             thead { tr {

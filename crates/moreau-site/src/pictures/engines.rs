@@ -4,18 +4,19 @@ use crate::picture::{Creep, Given, Picture};
 use crate::words::Words;
 use moreau_checks::plot::{Axis, Chart, Series, Sheet};
 use moreau_exact::Result;
+use moreau_gate::tolerance::incline::SLOWEST;
 
 pub(crate) const CREEP: Picture = Picture {
     id: "creep-of-engines",
     question: Words { en: "Does creep vanish with the time step?", zh: "减小步长，蠕滑会随之消失吗？" },
     caption: Words {
         en: "The speed at which a block creeps down a slope of 20° on which it should stick, μ = 0.5, in every engine of the scoreboard that \
-            answered, one chart per engine. Grey is what a sound discretisation may make at that step: marks above it that fall with the \
+            answered, one chart per engine with all of its configurations. Grey is what a sound discretisation may make at that step: marks above it that fall with the \
             step belong to the discretisation, marks that stay to the model. The sign is left out: some engines creep uphill. What is \
-            slower than a nanometre per second is rounding and has no place here; engines that are so slow at every step stand in the \
+            slower than a nanometre per second is not told from rounding and has no place here; engines that are so slow at every step stand in the \
             table alone.",
-        zh: "物块置于 20° 斜面，μ = 0.5，本应粘滞；图中为引擎记分板上给出答案的每个引擎的蠕滑速度，每个引擎一幅。灰线是可靠的离散格式在该步长下允许的大小：灰线以上的标记若随步长下降，则源于离散；若保持不变，则源于模型。\
-            此处不计符号：有的引擎向上蠕滑。慢于每秒一纳米者属舍入误差，不在图中；在所有步长下都如此之慢的引擎只列在表中。",
+        zh: "物块置于 20° 斜面，μ = 0.5，本应粘滞；图中为引擎记分板上给出答案的每个引擎的蠕滑速度，每个引擎一幅，含其各种配置。灰线是可靠的离散格式在该步长下允许的大小：灰线以上的标记若随步长下降，则源于离散；若保持不变，则源于模型。\
+            此处不计符号：有的引擎向上蠕滑。慢于每秒一纳米者与舍入误差无法区分，不在图中；在所有步长下都如此之慢的引擎只列在表中。",
     },
     obtained: Words {
         en: "Read from the stored results of the check `incline/stick`, with the engines’ versions; nothing of it is computed here.",
@@ -26,14 +27,9 @@ pub(crate) const CREEP: Picture = Picture {
     draw: |given| creep(given)?.svg(),
 };
 
-/// A nanometre per second, about a thousandth of what a sound discretisation may make at the smallest step of the scoreboard.
-fn slowest() -> f64 {
-    10f64.powi(-9)
-}
-
 /// (h, |speed|) where it is more than rounding.
 fn marks(creep: &Creep) -> Vec<[f64; 2]> {
-    creep.steps.iter().map(|step| [step.time_step, step.speed.abs()]).filter(|[_, speed]| *speed >= slowest()).collect()
+    creep.steps.iter().map(|step| [step.time_step, step.speed.abs()]).filter(|[_, speed]| *speed >= SLOWEST).collect()
 }
 
 /// Engines that have a mark, by their program, in the order of the scoreboard.
@@ -57,7 +53,7 @@ fn creep(given: &Given) -> Result<Sheet> {
             series.push(Series::dots(k, engine.engine.clone(), marks(engine)));
         }
         let steps = Axis::logarithmic("h [s]").within(0.0008, 0.02);
-        Chart::new(steps, Axis::logarithmic("creep [m/s]").within(slowest(), 1.0), series).titled(program)
+        Chart::new(steps, Axis::logarithmic("creep [m/s]").within(SLOWEST, 1.0), series).titled(program)
     };
     Ok(Sheet::pairs(programs(given).into_iter().map(chart).collect()))
 }
