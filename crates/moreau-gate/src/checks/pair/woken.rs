@@ -6,8 +6,8 @@
 //! ```
 
 use crate::checks::motion::{CLEARANCE, Sample, start_gap};
-use crate::checks::pair::compliant::{self, Approach};
-use crate::checks::pair::meeting::{DURATION, GAP, SPEED, in_space, restitution, undamped};
+use crate::checks::pair::compliant::{self, Approach, restitution};
+use crate::checks::pair::meeting::{DURATION, GAP, SPEED, in_space, undamped};
 use crate::checks::scenery::{GRAVITY, over_floor, schedule, sphere};
 use crate::tolerance::{flight, impact, incline};
 use crate::{Bench, Expectation, Measurement, Reply};
@@ -81,8 +81,8 @@ mod tests {
     use crate::exact::judge;
     use crate::runner::SWEEP;
 
-    /// Both go on together, but what rested gets a part `woken` of its velocity only, what came a part `came`, and what is slow keeps a part
-    /// `kept` of its own.
+    /// Both go on together, but what rested gets a part `woken` of its velocity only, what came a part `came`, and what is slow keeps a
+    /// part `kept` of its own.
     fn verdict(h: f64, [woken, came]: [f64; 2], kept: f64) -> Verdict {
         let measured = judge("pair/woken", h, |scene, index, _, t| {
             let body = &scene.bodies[index];
