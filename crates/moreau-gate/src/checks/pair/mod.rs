@@ -55,7 +55,8 @@ pub const CHECKS: &[Check] = &[
         derivation: "The edges are horizontal and cross beside the middle of both bars: W_n = Σ 1/m + a²/J with exact levers, at \
             whatever distance the contact acts, W_n p = (1 + e)|u_n| and J_i Δω_i = l_i × p. In a plastic impact the bars roll on each \
             other's edges, which close with c(ω₁² + ω₂²) and give a later part of the impulse. The e of a compliant contact is \
-            that of its replayed map, where it is replayed. The same holds when the whole scene is turned and the lower bar is listed first. Where they cross at their \
+            that of its replayed map, where it is replayed. The same holds when the whole scene is turned and the lower bar is \
+            listed first. Where they cross at their \
             middles and the upper one slips along itself, W_nt = 0 and p_t = μ p_n. Boxes that touch with spheres at their corners have \
             no edges.",
         source: "closed form of the impact at one point",
@@ -107,7 +108,8 @@ pub const CHECKS: &[Check] = &[
         level: Level::Simulate,
         question: "Does a body that has rested for two seconds move when it is hit, and a slow one go on?",
         derivation: "One ball rests for 2.1 s, in space or on a floor without friction; then another one of its mass and size hits it \
-            centrally. Along the line of centres only the impact acts: Σ m v_x stays and p = m̄ |u| (1 + e) with e = 0, that of its replayed map \
+            centrally. Along the line of centres only the impact acts: Σ m v_x stays and p = m̄ |u| (1 + e) with e = 0, that of its \
+            replayed map \
             for a compliant contact. Both lie equally deep. A free sphere keeps 10 mm/s and 10 mrad/s: engines let bodies sleep there.",
         source: "Newton's first law; closed form of the central impact",
         run: Run::EachStep(woken::woken),
@@ -145,7 +147,8 @@ pub const CHECKS: &[Check] = &[
             m/s, along no axis of the world. A step carries the centre of a ball of 8 mm into the box. Ball on a box on the floor: e \
             |u|, up to (1 + e) m/M, whether both impacts are solved together or one after the other. Laws without e are asked \
             for e = 0: rigid ones return nothing, compliant ones what their replayed map returns, with 4 to 8 \
-            points between two faces; where no map is replayed e is not asked. A declared spring and damper is not asked for bodies too light for its own steps, n τ c/m̄ ≥ 1 or n τ² k/m̄ ≥ 1 with \
+            points between two faces; where no map is replayed e is not asked. A declared spring and damper is not asked for bodies \
+            too light for its own steps, n τ c/m̄ ≥ 1 or n τ² k/m̄ ≥ 1 with \
             n = 8 points between two faces.",
         source: "closed form of the central impact; Newton's law",
         run: Run::EachStep(central::central),
