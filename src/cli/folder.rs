@@ -98,7 +98,8 @@ impl Target {
         }
     }
 
-    /// Puts back what a run that was stopped had set aside, where nothing stands in its place; tells of everything else that such runs left.
+    /// Puts back what a run that was stopped had set aside, where nothing stands in its place; tells of everything else that such runs
+    /// left.
     fn take_up(&self, around: &Path) -> Result<Vec<String>> {
         let wrong = |source: io::Error| Error::Read { file: around.into(), source };
         let name = self.folder.file_name().unwrap_or_default().to_string_lossy();

@@ -9,8 +9,8 @@ pub(crate) const CREEP: Picture = Picture {
     id: "creep-of-engines",
     question: Words { en: "Does creep vanish with the time step?", zh: "减小步长，蠕滑会随之消失吗？" },
     caption: Words {
-        en: "The speed at which a block creeps down a slope of 20° on which it should stick, μ = 0.5, in every engine of the scoreboard that \
-            answered, one chart per engine. Grey is what a sound discretisation may make at that step: marks above it that fall with the \
+        en: "The speed at which a block creeps down a slope of 20° on which it should stick, μ = 0.5, in every engine of the scoreboard \
+            that answered, one chart per engine. Grey is what a sound discretisation may make at that step: marks above it that fall with the \
             step belong to the discretisation, marks that stay to the model. The sign is left out: some engines creep uphill. What is \
             slower than a nanometre per second is rounding and has no place here; engines that are so slow at every step stand in the \
             table alone.",
