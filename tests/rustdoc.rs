@@ -86,7 +86,8 @@ fn what_is_not_run_or_asserts_nothing_is_not_counted() {
 /// The crates with a page of equations.
 const WITH_EQUATIONS: [&str; 3] = ["moreau-contact", "moreau-dynamics", "moreau-replicas"];
 
-/// A text with its formulas as MathML: a line that is nothing else stands by itself. rustdoc reads Markdown, in which MathML is taken as it is.
+/// A text with its formulas as MathML: a line that is nothing else stands by itself. rustdoc reads Markdown, in which MathML is taken as
+/// it is.
 fn page(source: &str) -> String {
     let note = "<!-- Made from source.md by `MOREAU_EQUATIONS=write cargo test --test rustdoc equations`. -->\n\n";
     let mut text = String::from(note);

@@ -117,7 +117,8 @@ impl Target {
         }
     }
 
-    /// Puts back what a run that was stopped had set aside, where nothing stands in its place; tells of everything else that such runs left.
+    /// Puts back what a run that was stopped had set aside, where nothing stands in its place; tells of everything else that such runs
+    /// left.
     fn take_up(&self, around: &Path, mut tell: impl FnMut(&str)) -> Result<()> {
         for (what, path) in self.left_by_others(around)? {
             let shown = path.display();

@@ -10,11 +10,11 @@ pub(crate) const CREEP: Picture = Picture {
     id: "creep-of-engines",
     question: Words { en: "Does creep vanish with the time step?", zh: "减小步长，蠕滑会随之消失吗？" },
     caption: Words {
-        en: "The speed at which a block creeps down a slope of 20° on which it should stick, μ = 0.5, in every engine of the scoreboard that \
-            answered, one chart per engine with all of its configurations. Grey is what a sound discretisation may make at that step: marks above it that fall with the \
-            step belong to the discretisation, marks that stay to the model. The sign is left out: some engines creep uphill. What is \
-            slower than a nanometre per second is not told from rounding and has no place here; engines that are so slow at every step stand in the \
-            table alone.",
+        en: "The speed at which a block creeps down a slope of 20° on which it should stick, μ = 0.5, in every engine of the scoreboard \
+            that answered, one chart per engine with all of its configurations. Grey is what a sound discretisation may make at that \
+            step: marks above it that fall with the step belong to the discretisation, marks that stay to the model. The sign is left \
+            out: some engines creep uphill. What is slower than a nanometre per second is not told from rounding and has no place \
+            here; engines that are so slow at every step stand in the table alone.",
         zh: "物块置于 20° 斜面，μ = 0.5，本应粘滞；图中为引擎记分板上给出答案的每个引擎的蠕滑速度，每个引擎一幅，含其各种配置。灰线是可靠的离散格式在该步长下允许的大小：灰线以上的标记若随步长下降，则源于离散；若保持不变，则源于模型。\
             此处不计符号：有的引擎向上蠕滑。慢于每秒一纳米者与舍入误差无法区分，不在图中；在所有步长下都如此之慢的引擎只列在表中。",
     },

@@ -9,8 +9,8 @@ pub(super) const PICTURE: Picture = Picture {
     id: "work-profile",
     question: Words { en: "Which iteration needs the least work?", zh: "哪种迭代的工作量最小？" },
     caption: Words {
-        en: "Performance profile (Dolan and Moré): the part of the problems of the collection that an iteration answers with at most τ times \
-            the least work of any. Where a curve begins: how often it is the best; where it ends: how much it answers at all within \
+        en: "Performance profile (Dolan and Moré): the part of the problems of the collection that an iteration answers with at most τ \
+            times the least work of any. Where a curve begins: how often it is the best; where it ends: how much it answers at all within \
             500 iterations. Work is the number of passes through W, products and sweeps, which is the same on every machine; looking \
             whether the answer is good enough counts as well, estimates of a step and of rounding do not. Newton’s, pivoting and interior point methods are not compared: they \
             factorise matrices, and passes say nothing of that.",
@@ -18,8 +18,8 @@ pub(super) const PICTURE: Picture = Picture {
             检查答案是否足够好也计入其中，步长与舍入的估计不计入。Newton 法、主元法与内点法要分解矩阵，遍历次数说明不了它们的代价，故不参与比较。",
     },
     obtained: Words {
-        en: "Each iteration started from zero on every stored problem of the law that has a solution and that all of them take; an answer \
-            counts where the certificate accepts it at 1e-8.",
+        en: "Each iteration started from zero on every stored problem of the law that has a solution and that all of them take; an \
+            answer counts where the certificate accepts it at 1e-8.",
         zh: "各迭代从零开始求解该定律下有解且它们都能处理的每个已存问题；证书在 1e-8 下接受的答案才计入。",
     },
     command: "moreau report --out report",
