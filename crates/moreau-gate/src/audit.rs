@@ -145,7 +145,7 @@ fn energy(trajectory: &Trajectory, mechanism: &dyn Mechanism, states: &[State], 
 mod tests {
     use super::*;
     use crate::{Engine, Options, Verdict, own};
-    use moreau_dynamics::scenes::named;
+    use moreau_dynamics::scenes::{PairOverride, named};
 
     fn ours(scene: &str) -> (Trajectory, Description) {
         let mut engine = own::by_name("moreau-jean").expect("built in");
@@ -184,6 +184,20 @@ mod tests {
             let found = bad(&trajectory, &description);
             assert!(found.iter().any(|text| text.starts_with(name)), "{name}: {found:?}");
         }
+    }
+
+    #[test]
+    fn friction_is_that_of_the_pair_where_it_has_its_own() {
+        let (mut trajectory, description) = ours("incline-slide");
+        let body = trajectory.scene.bodies[0].name.clone();
+        let own = |friction: f64| PairOverride { bodies: ["ground".into(), body.clone()], friction: Some(friction), restitution: None };
+        // the motion has the common friction, which is more than the pair's own, or less
+        let common = trajectory.scene.material.friction;
+        trajectory.scene.material.pairs = vec![own(0.5 * common)];
+        assert!(bad(&trajectory, &description).iter().any(|text| text.starts_with("friction outside the cone")));
+        trajectory.scene.material.friction = 0.5 * common;
+        trajectory.scene.material.pairs = vec![own(common)];
+        assert_eq!(bad(&trajectory, &description), [""; 0]);
     }
 
     #[test]

@@ -195,7 +195,7 @@ fn answers(trajectory: &Trajectory, scene: &Scene, time_step: f64, steps: usize,
 mod tests {
     use super::*;
     use crate::exact::Exact;
-    use moreau_dynamics::scenes::named;
+    use moreau_dynamics::scenes::{PairOverride, named};
     use moreau_exact::tolerance::rounding;
     use std::sync::{Arc, Mutex};
 
@@ -241,6 +241,48 @@ mod tests {
         assert!(asked(1.9e-9, 0).0.is_ok());
         let Err(Refusal::Errored(cause)) = asked(2.1e-9, 0).0 else { panic!("a time was wrong and nobody saw it") };
         assert!(cause.starts_with("times[1] is"), "{cause}");
+    }
+
+    #[test]
+    fn a_trajectory_that_goes_on_after_the_end_is_refused() {
+        struct GoesOn;
+        impl Engine for GoesOn {
+            fn describe(&mut self, options: &Options) -> Reply<Description> {
+                still().describe(options)
+            }
+            fn simulate(&mut self, scene: &Scene, h: f64, every: usize, options: &Options) -> Reply<Trajectory> {
+                let longer = Scene { duration: scene.duration + h * every as f64, ..scene.clone() };
+                Ok(Trajectory { scene: scene.clone(), ..still().simulate(&longer, h, every, options)? })
+            }
+        }
+        let options = Options::new();
+        let description = GoesOn.describe(&options).expect("describes itself");
+        let scene = named("two-ball-impact").expect("built in");
+        let Err(Refusal::Errored(cause)) = Bench::new(&mut GoesOn, &description, &options).simulate(&scene, 0.25, 8, 2) else {
+            panic!("a sample too many was not seen")
+        };
+        assert!(cause.contains("6 samples instead of 5"), "{cause}");
+    }
+
+    #[test]
+    fn what_a_pair_alone_has_is_not_asked_of_an_engine_without_it() {
+        let plain = named("two-ball-impact").expect("built in");
+        let names = [0, 1].map(|k| plain.bodies[k].name.clone());
+        let ask = |friction: Option<f64>, restitution: Option<f64>| {
+            let mut scene = plain.clone();
+            (scene.material.friction, scene.material.restitution) = (0.0, 0.0);
+            scene.material.pairs = vec![PairOverride { bodies: names.clone(), friction, restitution }];
+            let mut engine = Recording::default();
+            let options = Options::new();
+            let described = engine.describe(&options).expect("describes itself");
+            let without = Description { restitution: false, friction: Friction::None, ..described };
+            Bench::new(&mut engine, &without, &options).simulate(&scene, 0.25, 8, 2)
+        };
+        assert!(ask(Some(0.0), Some(0.0)).is_ok());
+        for (friction, restitution, word) in [(Some(0.5), None, "friction"), (None, Some(0.5), "restitution")] {
+            let Err(Refusal::Unsupported(reason)) = ask(friction, restitution) else { panic!("{word} was asked for") };
+            assert!(reason.contains(word), "{reason}");
+        }
     }
 
     #[test]

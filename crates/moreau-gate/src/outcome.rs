@@ -75,3 +75,37 @@ impl Report {
         self.checks.iter().filter(|check| check.verdict == verdict).count()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Expectation, Measurement, Refusal};
+
+    fn step(h: f64, verdict: Verdict) -> StepOutcome {
+        let value = |value: f64| Measurement::new("x", "m", value, Expectation::equal(0.0, 0.25, "ideal"));
+        let answer = match verdict {
+            Verdict::Pass => Ok(vec![value(0.0)]),
+            Verdict::Difference => Ok(vec![value(1.0).predicted(Some(Expectation::equal(1.0, 0.25, "law")))]),
+            Verdict::Fail => Ok(vec![value(1.0)]),
+            Verdict::Unsupported => Err(Refusal::unsupported("no friction")),
+            Verdict::Errored => Err(Refusal::errored("too late")),
+        };
+        StepOutcome::new(Some(h), answer)
+    }
+
+    #[test]
+    fn the_worst_step_decides_wherever_it_stands_and_gives_its_reason() {
+        use Verdict::{Difference, Errored, Fail, Pass, Unsupported};
+        let cases: [(Verdict, &[f64], Option<&str>); 4] =
+            [(Fail, &[0.5], None), (Errored, &[0.5], Some("too late")), (Difference, &[], None), (Pass, &[], None)];
+        for (worst, fails_at, reason) in cases {
+            for place in 0..3 {
+                let mut verdicts = [Unsupported; 3];
+                verdicts[place] = worst;
+                let times = [0, 1, 2].map(|k| if k == place { 0.5 } else { 0.25 });
+                let outcome = CheckOutcome::new("made-up/check", (0..3).map(|k| step(times[k], verdicts[k])).collect());
+                assert_eq!((outcome.verdict, outcome.fails_at.as_slice(), outcome.reason.as_deref()), (worst, fails_at, reason), "{place}");
+            }
+        }
+    }
+}

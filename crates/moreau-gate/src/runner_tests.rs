@@ -148,6 +148,8 @@ fn repeats_give_the_spread() {
     widen(&mut measured, &value(1.25));
     widen(&mut measured, &value(0.5));
     assert_eq!(measured[0].spread, 0.5);
+    widen(&mut measured, &value(0.875));
+    assert_eq!(measured[0].spread, 0.5, "the farthest repetition, not the last");
 }
 
 fn one_contact() -> ContactProblem {

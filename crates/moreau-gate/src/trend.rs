@@ -124,6 +124,7 @@ mod tests {
         assert_eq!(cause(f64::sqrt), Some(Origin::Discretisation));
         assert_eq!(cause(|h| if h > 0.05 { 1.0 } else { h }), Some(Origin::Discretisation));
         assert_eq!(cause(|h| if h < 0.005 { 1.0 } else { h }), Some(Origin::Irregular));
+        assert_eq!(cause(|h| if h > 0.005 { 1.0 } else { h }), Some(Origin::Irregular), "constant between two steps only");
         assert_eq!(cause(|_| 0.0), None, "nothing deviates");
     }
 }

@@ -14,7 +14,10 @@ pub const PLANTED: &[Planted<Faulty>] = &[
         name: "pair/faces-bounce-in-the-middle",
         mistake: "lets one point in the middle stand for all points of two boxes that have restitution",
         kind: Kind::Assembly,
-        subject: Faulty { engine: || with_mechanism(|scene| touching(scene, meet_in_the_middle)), caught_by: &["pair/faces"] },
+        subject: Faulty {
+            engine: || with_mechanism(|scene| touching(scene, |contacts, spheres, _| meet_in_the_middle(contacts, spheres))),
+            caught_by: &["pair/faces"],
+        },
     },
     Planted {
         name: "limits/points-nearer-than-5-cm-merged",
@@ -34,7 +37,7 @@ pub const PLANTED: &[Planted<Faulty>] = &[
 ];
 
 /// The normal rows of the points of two bouncing boxes become their mean.
-fn meet_in_the_middle(contacts: &mut Vec<Contact>, spheres: &[bool], _: &DVector<f64>) {
+fn meet_in_the_middle(contacts: &mut [Contact], spheres: &[bool]) {
     let chosen: Vec<usize> = (0..contacts.len()).filter(|k| contacts[*k].restitution > 0.0 && boxes(&contacts[*k], spheres)).collect();
     for &k in &chosen {
         let bodies = |k: usize| contacts[k].place.map(|place| place.bodies);

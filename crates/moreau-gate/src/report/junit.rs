@@ -61,7 +61,7 @@ fn status(check: &CheckOutcome, changes: Option<&[Change]>, words: &str) -> Test
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Expectation, Measurement, Refusal, StepOutcome};
+    use crate::{Engine, Expectation, Measurement, Options, Refusal, StepOutcome, own};
 
     fn outcome(verdict: Verdict) -> CheckOutcome {
         let value = |value: f64| Measurement::new("x", "m", value, Expectation::equal(0.0, 0.25, "ideal"));
@@ -89,6 +89,24 @@ mod tests {
                 let kind = if kind == NonSuccessKind::Failure { "failure" } else { "error" };
                 (kind, message.map(String::from).unwrap_or_default())
             }
+        }
+    }
+
+    #[test]
+    fn failures_and_errors_come_first() {
+        let engine = own::by_name("moreau-jean").expect("listed").describe(&Options::new()).expect("describes itself");
+        let cases = [
+            ("a/passes", Verdict::Pass),
+            ("a/fails", Verdict::Fail),
+            ("a/is-not-asked", Verdict::Unsupported),
+            ("a/errs", Verdict::Errored),
+        ];
+        let checks = cases.map(|(name, verdict)| CheckOutcome { check: name.into(), ..outcome(verdict) }).to_vec();
+        let report = Report { schema: crate::outcome::SCHEMA.into(), engine, adapter: Vec::new(), sweep: vec![0.5], checks };
+        let text = xml(&report, None, &BTreeMap::new()).expect("writes");
+        let place = |name: &str| text.find(&format!("name=\"{name}\"")).expect("every check is a case");
+        for bad in ["a/fails", "a/errs"] {
+            assert!(place(bad) < place("a/passes").min(place("a/is-not-asked")), "{text}");
         }
     }
 
