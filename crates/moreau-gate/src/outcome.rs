@@ -79,7 +79,7 @@ impl Report {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Expectation, Measurement, Refusal};
+    use crate::{Engine, Expectation, Measurement, Options, Refusal, own};
 
     fn step(h: f64, verdict: Verdict) -> StepOutcome {
         let value = |value: f64| Measurement::new("x", "m", value, Expectation::equal(0.0, 0.25, "ideal"));
@@ -91,6 +91,27 @@ mod tests {
             Verdict::Errored => Err(Refusal::errored("too late")),
         };
         StepOutcome::new(Some(h), answer)
+    }
+
+    #[test]
+    fn the_adapter_explains_what_is_bad_and_of_contacts_only_impulses() {
+        let engine = own::by_name("moreau-jean").expect("listed").describe(&Options::new()).expect("describes itself");
+        let probe = |name: &str| Probe {
+            probe: name.into(),
+            demand: "is right".into(),
+            outcome: crate::conformance::ProbeOutcome::Problem { why: "is wrong".into(), cure: "another".into() },
+        };
+        let adapter = vec![probe("motion/turns"), probe("contacts/impulses")];
+        let report = Report { schema: SCHEMA.into(), engine, adapter, sweep: vec![0.5], checks: Vec::new() };
+        let told = |check: &str, verdict: Verdict| -> Vec<String> {
+            report.explaining(&CheckOutcome::new(check, vec![step(0.5, verdict)])).map(|one| one.probe.clone()).collect()
+        };
+        assert_eq!(told("contact/pairs", Verdict::Fail), ["motion/turns", "contacts/impulses"]);
+        assert_eq!(told("tumbling/momentum", Verdict::Errored), ["motion/turns", "contacts/impulses"]);
+        assert_eq!(told("pair/central", Verdict::Fail), ["motion/turns"]);
+        for verdict in [Verdict::Pass, Verdict::Difference, Verdict::Unsupported] {
+            assert_eq!(told("contact/pairs", verdict), [""; 0], "{verdict:?}");
+        }
     }
 
     #[test]

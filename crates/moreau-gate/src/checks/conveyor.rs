@@ -58,7 +58,8 @@ pub const CHECKS: &[Check] = &[
             m (g t + v_z): V − ‖w‖ − μ v_z = μ g t through every hop, and v stays along V. The slip ends at t = V/(μ g); then no impulse \
             is asked for and v = V. The belt has no mass to be changed by the impulses: its velocity is V, its place x₀ + V t. V is along \
             (4, 3)/5 of the faces, and the scene is turned with its gravity. A pyramid has between μ/√2 and √2 μ in the direction of the \
-            slip, which turns, d directions μ cos(π/d) at least. Corners whose depth is taken back by declaration open when nothing is left of it, and move at up to 3/2 g h.",
+            slip, which turns, d directions μ cos(π/d) at least. Corners whose depth is taken back by declaration open when nothing \
+            is left of it, and move at up to 3/2 g h.",
         source: "Newton and Coulomb; Filippov's sliding mode at the belt's velocity",
         run: Run::EachStep(box_on_belt),
         control: Control { passes: "moreau-jean", fails: "conveyor/contacts-see-no-motion" },
@@ -68,7 +69,8 @@ pub const CHECKS: &[Check] = &[
         level: Level::Simulate,
         question: "Does a sphere that is laid on a conveyor roll with 2/7 of the belt's velocity after 2V/(7 μ g)?",
         derivation: "In the frame of the belt the sphere is thrown with −V and no spin: rolling/five-sevenths, with its derivation and its \
-            allowances. So it rolls with −5/7 V there, 2/7 V here, after 2V/(7 μ g); V is along no edge, and a pyramid or directions may take \
+            allowances. So it rolls with −5/7 V there, 2/7 V here, after 2V/(7 μ g); V is along no edge, and a pyramid or \
+            directions may take \
             longer or shorter, as for the box.",
         source: "Galilei; Newton–Euler and Coulomb",
         run: Run::EachStep(sphere_on_belt),
@@ -221,8 +223,8 @@ mod tests {
         (place.into(), body.orientation, (direction * speed).into(), spin.into())
     }
 
-    /// The closed form with another friction, a box that ends with a part of the belt's velocity, or that goes beside it until it sticks, and
-    /// a belt that is braked.
+    /// The closed form with another friction, a box that ends with a part of the belt's velocity, or that goes beside it until it sticks,
+    /// and a belt that is braked.
     fn verdicts(h: f64, friction: f64, carried: f64, [braked, aside]: [f64; 2]) -> Vec<Verdict> {
         let measured = judge("conveyor/box", h, |scene, index, _, t| {
             if !scene.bodies[index].is_free() {

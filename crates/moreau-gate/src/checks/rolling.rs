@@ -38,7 +38,8 @@ pub const CHECKS: &[Check] = &[
         question: "Does a sphere thrown along the floor end with 5/7 of its speed, rolling, and after the right time?",
         derivation: "Friction at the floor does not change the angular momentum about a point of the floor: v = 5/7 v₀. Slip falls as v₀ \
             − 7/2 μ (g t + v_n). So rolling begins at 2 v₀/(7 μ g), and by v_n/g earlier in a model that hops within the step. There is \
-            no rolling resistance, so that speed and spin do not change after that; a declared one, a moment of a p_n, takes a g t/R of v₀ and \
+            no rolling resistance, so that speed and spin do not change after that; a declared one, a moment of a p_n, takes a g \
+            t/R of v₀ and \
             5/2 a/R of 7/2 μ, under rigid laws. A contact at the measured depth δ has a lever ℓ \
             between R and R − δ, which makes v = v₀ ℓ²/(⅖R² + ℓ²). For the ideal δ is at most what a sound step makes out of rest, 3/2 \
             g h². A declared spring along the floor that friction has loaded swings the slip at up to μ g √(m W_t/k), damped as declared.",

@@ -31,7 +31,8 @@ pub const PLANTED: &[Planted<Faulty>] = &[
     },
     Planted {
         name: "limits/sticks-up-to-0.97",
-        mistake: "lets a contact slide with μ that needs more than 0.97 μ to stick: one of four corners always sticks, a single point does not",
+        mistake: "lets a contact slide with μ that needs more than 0.97 μ to stick: one of four corners always sticks, a single point \
+            does not",
         kind: Kind::Solver,
         subject: Faulty {
             engine: || with_solver(|| Box::new(Answers(moreau_checks::defects::solvers::sticking_up_to_0_97))),

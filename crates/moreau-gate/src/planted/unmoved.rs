@@ -21,11 +21,24 @@ pub const PLANTED: &[Planted<Faulty>] = &[
             caught_by: &["conveyor/box", "conveyor/sphere"],
         },
     },
+    Planted {
+        name: "conveyor/friction-along-x-only",
+        mistake: "has nine tenths of the friction on a conveyor that does not run along x",
+        kind: Kind::Scheme,
+        subject: Faulty { engine: || Box::new(Misread(weaker_beside_x)), caught_by: &["conveyor/box", "conveyor/sphere"] },
+    },
 ];
 
 fn heavy(scene: &mut Scene, _: f64) {
     for body in scene.bodies.iter_mut().filter(|body| body.is_static) {
         (body.is_static, body.mass) = (false, 1e3);
+    }
+}
+
+fn weaker_beside_x(scene: &mut Scene, _: f64) {
+    let beside = |[x, y, z]: [f64; 3]| y.hypot(z) > 0.1 * x.abs();
+    if scene.bodies.iter().filter_map(|body| body.prescribed).any(|belt| beside(belt.velocity)) {
+        scene.material.friction *= 0.9;
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod fast;
 mod rim;
+mod sloping;
 mod small;
 mod stick;
 
@@ -28,8 +29,8 @@ pub const CHECKS: &[Check] = &[
             normal impulses: 0.07 m/s². A ball rolls as long as 2/7 tan α ≤ μ; with a fiftieth less friction its slip u = v − ωR obeys \
             u + 7/2 μ v_n = g sin α t/50, with one contact and no redundant ones. Its lever is R − δ for the measured depth. Above: four \
             corners share the load in many ways, and three that slide with μ leave the fourth less than it can hold, so that a plate hides \
-            what sticks up to less than μ. A ball whose mass is far outside, J = 100 m R², has one contact and hardly turns: it sticks with \
-            μ = 51/50 tan α · 100/101, and the mean of its slip is what solvers leave. Not measured: pyramids, of which one holds more or \
+            what sticks up to less than μ. A ball whose mass is far outside, J = 100 m R², has one contact and hardly turns: it \
+            sticks with μ = 51/50 tan α · 100/101, and the mean of its slip is what solvers leave. Not measured: pyramids, of which one holds more or \
             less than μ, and laws that creep, whose slip incline/stick predicts.",
         source: "Coulomb's law: rest exactly for tan α ≤ μ",
         run: Run::EachStep(stick::stick),
@@ -39,7 +40,9 @@ pub const CHECKS: &[Check] = &[
         name: "limits/small",
         level: Level::Simulate,
         question: "Does a cube of 4 cm stand on its four corners on a slope, as a large one does?",
-        derivation: "As incline/stick: tan 20° = 0.364 < μ = 1/2, and the weight passes through the base, tan α < 1. With fewer points, or all             in one, it would slip aside, tip or turn within √(a/g). Gravity is 0.1 m/s², so that a step of a thirtieth of a second finds it             no deeper than 3/2 g h² = 0.17 mm. The declared laws creep with this gravity as they do with another.",
+        derivation: "As incline/stick: tan 20° = 0.364 < μ = 1/2, and the weight passes through the base, tan α < 1. With fewer points, \
+            or all in one, it would slip aside, tip or turn within √(a/g). Gravity is 0.1 m/s², so that a step of a thirtieth of a \
+            second finds it no deeper than 3/2 g h² = 0.17 mm. The declared laws creep with this gravity as they do with another.",
         source: "equilibrium of Coulomb–Signorini contact; engines that merge or drop near contact points",
         run: Run::EachStep(small::small),
         control: Control { passes: "moreau-jean", fails: "limits/points-nearer-than-5-cm-merged" },

@@ -1,11 +1,11 @@
-//! A ball whose mass is far outside sticks on a slope with μ a little above what holds it: one contact, which shares its load with no other.
+//! A ball whose mass is far outside sticks on a slope with μ a little above what holds it: one contact, which shares its load with none.
 //!
 //! ```text
 //!     J = κ m R² :   u̇ = g sin α − (1 + 1/κ) f/m ,    f = κ/(1 + κ) m g sin α ≤ μ m g cos α   sticks ,    v = g sin α t/(1 + κ)
 //! ```
 
 use crate::checks::incline::scenes::slope;
-use crate::checks::limits::stick::{MARGIN, MASS, RADIUS, ball_on_slope};
+use crate::checks::limits::sloping::{MARGIN, MASS, RADIUS, ball_on_slope};
 use crate::checks::motion::{Slope, samples, yields};
 use crate::checks::scenery::{between, worst};
 use crate::description::Friction;

@@ -7,25 +7,20 @@
 
 use crate::checks::incline::stick::either_side;
 use crate::checks::limits::rim;
-use crate::checks::motion::{Sample, Slope, samples, start_gap};
-use crate::checks::scenery::{GRAVITY, over_floor, schedule, sphere};
+use crate::checks::limits::sloping::{MARGIN, MASS, RADIUS, ball_on_slope};
+use crate::checks::motion::{Sample, Slope, samples};
+use crate::checks::scenery::schedule;
 use crate::description::Friction;
 use crate::model::sliding::{SPHERE, hops};
 use crate::model::{Model, RigidLimits, damping};
 use crate::tolerance::{flight, incline, limits as tolerance};
 use crate::{Bench, Expectation, Measurement, Refusal, Reply};
 use moreau_contact::cones::polyhedral;
-use moreau_dynamics::scenes::{Ground, Scene};
+use moreau_dynamics::scenes::Scene;
 use nalgebra::Vector3;
 
-/// Distance of μ from the limit, relative: below the difference of static and kinetic friction that engines have had.
-pub(super) const MARGIN: f64 = 1.0 / 50.0;
 /// So flat that the loads of its corners differ by c/a tan α = 0.9 %, less than [`MARGIN`].
 const PLATE: [f64; 3] = [0.4, 0.3, 0.01];
-/// Mass of the ball \[kg\].
-pub(super) const MASS: f64 = 1.0;
-/// Radius of the ball \[m\]: large against the depth at which a step may leave it.
-pub(super) const RADIUS: f64 = 1.0;
 /// Duration of its motion \[s\].
 const DURATION: f64 = 0.25;
 
@@ -39,15 +34,6 @@ pub(super) fn stick(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
 /// A ball on a slope of 20°, with too little friction to roll.
 fn slipping(bench: &Bench, h: f64) -> Scene {
     ball_on_slope(bench, h, "ball about to roll", (1.0 - MARGIN) * 20f64.to_radians().tan() / SPHERE)
-}
-
-/// A ball on a slope of 20°, as deep as it lies.
-pub(super) fn ball_on_slope(bench: &Bench, h: f64, name: &str, friction: f64) -> Scene {
-    let (sine, cosine) = 20f64.to_radians().sin_cos();
-    let height = RADIUS + start_gap(bench, h, (MASS, 1.0), GRAVITY * cosine, friction, 0.0);
-    let ball = sphere("ball", MASS, RADIUS, [height * sine, 0.0, height * cosine]);
-    let ground = Some(Ground { normal: [sine, 0.0, cosine], offset: 0.0 });
-    Scene { ground, ..over_floor(name, vec![ball], friction) }
 }
 
 fn ball(bench: &mut Bench, h: f64) -> Reply<Measurement> {

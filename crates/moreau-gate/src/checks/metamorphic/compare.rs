@@ -55,3 +55,31 @@ pub fn difference(one: &Trajectory, other: &Trajectory) -> Differences {
     }
     largest
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::own::by_name;
+    use crate::{Engine, Options};
+    use moreau_dynamics::scenes::named;
+
+    #[test]
+    fn a_difference_of_one_kind_at_one_sample_of_one_body_is_seen() {
+        let scene = moreau_dynamics::scenes::Scene { duration: 0.1, ..named("two-ball-impact").expect("built in") };
+        let one = by_name("moreau-jean").expect("listed").simulate(&scene, 0.01, 1, &Options::new()).expect("simulates");
+        let none = difference(&one, &one);
+        assert_eq!([none.position, none.velocity, none.orientation], [0.0; 3]);
+        type Change = fn(&mut Trajectory);
+        let changes: [(Change, [bool; 3]); 3] = [
+            (|other| other.bodies[1].position[3][1] += 0.5, [true, false, false]),
+            (|other| other.bodies[1].linear_velocity[3][1] += 0.5, [false, true, false]),
+            (|other| other.bodies[1].orientation[3] = [0.8, 0.6, 0.0, 0.0], [false, false, true]),
+        ];
+        for (change, seen) in changes {
+            let mut other = one.clone();
+            change(&mut other);
+            let found = difference(&one, &other);
+            assert_eq!([found.position, found.velocity, found.orientation].map(|size| size > 0.4), seen);
+        }
+    }
+}

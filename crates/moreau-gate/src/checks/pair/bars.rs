@@ -6,9 +6,9 @@
 //! The edges are horizontal, so that n = z, and they cross a beside the middle of the upper bar and b beside that of the lower one, at
 //! whatever distance they meet. With friction they cross at their middles, a = b = 0, where W_nt = 0, and the upper one slips along itself.
 
-use crate::checks::pair::compliant::{self, Approach};
+use crate::checks::pair::compliant::{self, Approach, restitution};
 use crate::checks::pair::friction;
-use crate::checks::pair::meeting::{DURATION, GAP, Meeting, SPEED, in_space, lasting, opening, restitution, undamped};
+use crate::checks::pair::meeting::{DURATION, GAP, Meeting, SPEED, in_space, lasting, opening, undamped};
 use crate::checks::pair::view::View;
 use crate::checks::scenery::cuboid;
 use crate::description::{Friction, Kind};

@@ -3,17 +3,16 @@
 //! ```text
 //!     n equal points that open and close alike answer as one with 1/(n W_n) for the mass:   v⁺ = v + n r(δ, v) W_n
 //! ```
-//! A law's map needs W_n, and MuJoCo's Σ 1/m of the bodies. The softness of Drake's SAP depends on the inertia in the axes of the world, too,
-//! so that it is replayed for balls only. Where friction lifts a contact off, its rebound is not replayed. What is not replayed is not asked:
-//! a bound that every rebound keeps says nothing.
+//! A law's map needs W_n, and MuJoCo's Σ 1/m of the bodies. The softness of Drake's SAP depends on the inertia in the axes of the world,
+//! so that it is replayed for balls only. Where friction lifts a contact off, its rebound is not replayed. What is not replayed is not
+//! asked: a bound that every rebound keeps says nothing.
 
-use crate::Bench;
-use crate::Expectation;
-use crate::checks::pair::meeting::{GAP, SPEED, steps};
+use crate::checks::pair::meeting::{GAP, SPEED, opening, returned, steps};
 use crate::checks::scenery::between;
 use crate::model::Model;
 use crate::model::normal::{Arms, Normal};
 use crate::tolerance::{ball, pair as tolerance};
+use crate::{Bench, Expectation, Kind, Measurement};
 
 /// Points that two faces may touch at: the corners of their common part, each once or once for either box.
 const POINTS_OF_FACES: [f64; 2] = [4.0, 8.0];
@@ -73,4 +72,21 @@ pub(in crate::checks) fn rebound(bench: &Bench, contacts: &[Normal], approach: A
     let ends: Vec<f64> = replays.filter_map(|states| states.last().map(|(_, velocity)| velocity / speed)).collect();
     let allowed = tolerance::ratio(bench.epsilon()) + ball::replay(steps, bench.epsilon()) + later;
     (!ends.is_empty()).then(|| between(ends, allowed, "replay of the declared law's discrete map"))
+}
+
+/// e of an impact at [`SPEED`], from its impulse; a part `later` of the impulse may come later. `slip` is μ times that of the contact
+/// \[m/s\], and `contacts` what it may be under a compliant law. None where it opens by its slip – how much depends on the gap that the
+/// step finds –, nor where a compliant law is not replayed.
+pub(in crate::checks) fn restitution(
+    bench: &Bench,
+    h: f64,
+    (words, e): (&str, f64),
+    value: f64,
+    later: f64,
+    slip: f64,
+    (contacts, approach): (&[Normal], Approach),
+) -> Option<Measurement> {
+    let law = rebound(bench, contacts, approach, later);
+    let asked = bench.description().contact_model.kind == Kind::Rigid || law.is_some();
+    (asked && opening(bench, slip) == 0.0).then(|| returned(bench, h, (words, e), (value, SPEED), later, law))
 }

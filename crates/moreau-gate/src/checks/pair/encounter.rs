@@ -6,8 +6,8 @@
 //! ```
 
 use crate::checks::pair::ball_on_box::{BALL, BOX, HALF, RADIUS};
-use crate::checks::pair::compliant::{self, Approach};
-use crate::checks::pair::meeting::{DURATION, GAP, Meeting, SPEED, lasting, moments_of, opening, restitution};
+use crate::checks::pair::compliant::{self, Approach, restitution};
+use crate::checks::pair::meeting::{DURATION, GAP, Meeting, SPEED, lasting, moments_of, opening};
 use crate::checks::pair::spheres::{MASSES, RADII};
 use crate::checks::pair::{friction, spheres};
 use crate::checks::scenery::{cuboid, over_floor, sphere};

@@ -4,10 +4,10 @@
 //!     p_n = (1 + e) m |u_n| ,    p_t = μ p_n  against the slip;  a plate so flat that friction does not tip it keeps its four corners down
 //! ```
 
-use crate::checks::pair::compliant::{self, Approach};
+use crate::checks::pair::compliant::{self, Approach, restitution};
 use crate::checks::pair::encounter::across;
 use crate::checks::pair::friction;
-use crate::checks::pair::meeting::{GAP, SPEED, restitution, steps};
+use crate::checks::pair::meeting::{GAP, SPEED, steps};
 use crate::checks::scenery::{cuboid, over_floor, sphere};
 use crate::description::{Friction, Kind};
 use crate::tolerance::pair as tolerance;

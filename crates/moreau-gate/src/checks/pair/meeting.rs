@@ -8,15 +8,13 @@
 
 use crate::checks::impact::declared;
 use crate::checks::motion::{Sample, yields};
-use crate::checks::pair::compliant::{self, Approach};
 use crate::checks::pair::view::View;
 use crate::checks::scenery::{over_floor, schedule};
 use crate::model::Model;
-use crate::model::normal::Normal;
 use crate::model::sliding::hops;
 use crate::model::solid::{box_moments, capsule_moments, cylinder_moments};
 use crate::tolerance::pair as tolerance;
-use crate::{Bench, Expectation, Kind, Measurement, Refusal, Reply};
+use crate::{Bench, Expectation, Measurement, Refusal, Reply};
 use moreau_dynamics::scenes::{Body, Scene};
 use moreau_dynamics::trajectory::Trajectory;
 use nalgebra::Vector3;
@@ -187,23 +185,6 @@ pub(in crate::checks) fn opening(bench: &Bench, slip: f64) -> f64 {
 /// Time \[s\] for which two bodies may touch while they meet: a step and the one before, or as long as a contact that yields lasts.
 pub(in crate::checks) fn lasting(bench: &Bench, h: f64) -> f64 {
     if yields(bench) { DURATION } else { h }
-}
-
-/// e of an impact at [`SPEED`], from its impulse; a part `later` of the impulse may come later. `slip` is μ times that of the contact
-/// \[m/s\], and `contacts` what it may be under a compliant law. None where it opens by its slip – how much depends on the gap that the
-/// step finds –, nor where a compliant law is not replayed.
-pub(in crate::checks) fn restitution(
-    bench: &Bench,
-    h: f64,
-    (words, e): (&str, f64),
-    value: f64,
-    later: f64,
-    slip: f64,
-    (contacts, approach): (&[Normal], Approach),
-) -> Option<Measurement> {
-    let law = compliant::rebound(bench, contacts, approach, later);
-    let asked = bench.description().contact_model.kind == Kind::Rigid || law.is_some();
-    (asked && opening(bench, slip) == 0.0).then(|| returned(bench, h, (words, e), (value, SPEED), later, law))
 }
 
 /// e of an impact at this speed \[m/s\], from its impulse, under what a compliant law returns or a rigid one declares.

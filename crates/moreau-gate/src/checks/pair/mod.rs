@@ -54,8 +54,8 @@ pub const CHECKS: &[Check] = &[
         question: "Do two bars that meet edge on edge push, turn and rub each other as the inverse mass at that point and μ say?",
         derivation: "The edges are horizontal and cross beside the middle of both bars: W_n = Σ 1/m + a²/J with exact levers, at \
             whatever distance the contact acts, W_n p = (1 + e)|u_n| and J_i Δω_i = l_i × p. In a plastic impact the bars roll on each \
-            other's edges, which close with c(ω₁² + ω₂²) and give a later part of the impulse. A compliant contact has an e of its own, \
-            between 0 and 1. The same holds when the whole scene is turned and the lower bar is listed first. Where they cross at their \
+            other's edges, which close with c(ω₁² + ω₂²) and give a later part of the impulse. The e of a compliant contact is \
+            that of its replayed map, where it is replayed. The same holds when the whole scene is turned and the lower bar is listed first. Where they cross at their \
             middles and the upper one slips along itself, W_nt = 0 and p_t = μ p_n. Boxes that touch with spheres at their corners have \
             no edges.",
         source: "closed form of the impact at one point",
@@ -107,7 +107,7 @@ pub const CHECKS: &[Check] = &[
         level: Level::Simulate,
         question: "Does a body that has rested for two seconds move when it is hit, and a slow one go on?",
         derivation: "One ball rests for 2.1 s, in space or on a floor without friction; then another one of its mass and size hits it \
-            centrally. Along the line of centres only the impact acts: Σ m v_x stays and p = m̄ |u| (1 + e) with e = 0, between 0 and 1 \
+            centrally. Along the line of centres only the impact acts: Σ m v_x stays and p = m̄ |u| (1 + e) with e = 0, that of its replayed map \
             for a compliant contact. Both lie equally deep. A free sphere keeps 10 mm/s and 10 mrad/s: engines let bodies sleep there.",
         source: "Newton's first law; closed form of the central impact",
         run: Run::EachStep(woken::woken),
@@ -144,8 +144,8 @@ pub const CHECKS: &[Check] = &[
             V), for one point of contact or many. Every pair of shapes meets with e = 0.3 and e = 1 at 2.5 m/s and with e = 1 at 0.125 \
             m/s, along no axis of the world. A step carries the centre of a ball of 8 mm into the box. Ball on a box on the floor: e \
             |u|, up to (1 + e) m/M, whether both impacts are solved together or one after the other. Laws without e are asked \
-            for e = 0: rigid ones return nothing, compliant ones what their replayed map returns, or between 0 and 1 where no map is \
-            known. A declared spring and damper is not asked for bodies too light for its own steps, n τ c/m̄ ≥ 1 or n τ² k/m̄ ≥ 1 with \
+            for e = 0: rigid ones return nothing, compliant ones what their replayed map returns, with 4 to 8 \
+            points between two faces; where no map is replayed e is not asked. A declared spring and damper is not asked for bodies too light for its own steps, n τ c/m̄ ≥ 1 or n τ² k/m̄ ≥ 1 with \
             n = 8 points between two faces.",
         source: "closed form of the central impact; Newton's law",
         run: Run::EachStep(central::central),
@@ -159,7 +159,8 @@ pub const CHECKS: &[Check] = &[
             + (l × n)·J⁻¹(l × n), W_n p = (1 + e)|u_n|, the box gains l × p n and the ball does not turn. J is given with the box and \
             is not the solid's. Contacts that last move along the box: by at most ω|l| for the time they last, which is a step – an \
             implicit scheme may take the bodies at its end –, or the whole motion for a compliant law, whose e is that of its map \
-            replayed with 1/W_n for the mass or, where its softness depends on more than W_n, between 0 and 1.",
+            replayed with 1/W_n for the mass; \
+            Drake's SAP, whose softness depends on more, is not asked for e.",
         source: "closed form of the impact at one point",
         run: Run::EachStep(off_centre::off_centre),
         control: Control { passes: "moreau-jean", fails: "pair/box-has-faces-only-for-balls" },
@@ -168,7 +169,12 @@ pub const CHECKS: &[Check] = &[
         name: "pair/faces",
         level: Level::Simulate,
         question: "Do two boxes part with e whose faces meet beside their centres, and where does the impulse act?",
-        derivation: "0 ≤ p ⟂ u⁺ + e u⁻ ≥ 0 at every corner of the common part of the faces, u⁻ = −v, u linear in the place. If all part             alike, both boxes have the same spin, which puts the impulse at y = d J₁/(J₁ + J₂) from the first centre, in each direction             along the faces, and W_n = 1/m + 1/M + Σ d²/(J₁ + J₂). That is so if this place is on both faces; otherwise the impulse acts at             the nearest edge of both, and the rest opens faster. The motion is unique, the parts of the corners are not and are not asked;             a test solves the four corners in rationals. Springs press in the middle of the common part, so that compliant laws are asked for equal moments only.",
+        derivation: "0 ≤ p ⟂ u⁺ + e u⁻ ≥ 0 at every corner of the common part of the faces, u⁻ = −v, u linear in the place. If all part \
+            alike, both boxes have the same spin, which puts the impulse at y = d J₁/(J₁ + J₂) from the first centre, in each direction \
+            along the faces, and W_n = 1/m + 1/M + Σ d²/(J₁ + J₂). That is so if this place is on both faces; otherwise the impulse acts \
+            at the nearest edge of both, and the rest opens faster. The motion is unique, the parts of the corners are not and are not \
+            asked; a test solves the four corners in rationals. Springs press in the middle of the common part, so that compliant laws \
+            are asked for equal moments only.",
         source: "Newton's law at every point; Moreau's impact law of several contacts",
         run: Run::EachStep(faces::faces),
         control: Control { passes: "moreau-jean", fails: "pair/faces-bounce-in-the-middle" },
@@ -190,7 +196,10 @@ pub const CHECKS: &[Check] = &[
         name: "pair/support-leaves",
         level: Level::Simulate,
         question: "Do balls fall that have rested on a box for two seconds, when it slides away under them?",
-        derivation: "A ball of the box's mass hits the box centrally on a floor without friction, V ≥ v/2. The rear edge passes below the             balls at t₀ and is V τ away after that: R − √(R² − V² τ²) ≥ ½ V² τ²/R > ½ g τ² for V² > g R, so that nothing holds them and             v_z = −g (t − t₀). V and t₀ are read from the box. A ball at a depth δ is free √(2 R δ)/V later; steps see the edge early             or late. Bodies may not sleep, and then, if the engine declares an option for it, they may.",
+        derivation: "A ball of the box's mass hits the box centrally on a floor without friction, V ≥ v/2. The rear edge passes below \
+            the balls at t₀ and is V τ away after that: R − √(R² − V² τ²) ≥ ½ V² τ²/R > ½ g τ² for V² > g R, so that nothing holds them \
+            and v_z = −g (t − t₀). V and t₀ are read from the box. A ball at a depth δ is free √(2 R δ)/V later; steps see the edge \
+            early or late. Bodies may not sleep, and then, if the engine declares an option for it, they may.",
         source: "Newton; engines that wake what is hit, and not what loses its support",
         run: Run::EachStep(support::support_leaves),
         control: Control { passes: "moreau-jean", fails: "pair/wakes-only-what-is-hit" },

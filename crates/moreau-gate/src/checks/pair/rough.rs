@@ -6,9 +6,9 @@
 //! n = x, and friction on the second body acts along y.
 
 use crate::checks::motion::yields;
-use crate::checks::pair::compliant::{self, Approach};
+use crate::checks::pair::compliant::{self, Approach, restitution};
 use crate::checks::pair::friction;
-use crate::checks::pair::meeting::{DURATION, Meeting, SPEED, lasting, restitution};
+use crate::checks::pair::meeting::{DURATION, Meeting, SPEED, lasting};
 use crate::tolerance::pair as tolerance;
 use crate::{Bench, Measurement};
 use nalgebra::Vector3;

@@ -48,7 +48,8 @@ pub const CHECKS: &[Check] = &[
         derivation: "The balance of moments gives opposite corners the same load, whatever the solver chooses: no net friction, and the \
             moment μ ρ Σ N with ρ² = a² + b². With J = ⅓ m ρ² and Σ N = m (g + v̇_z) this is ⅓ ρ (ω₀ − ω) − μ v_z = μ g t through \
             every hop. A step may take the direction of friction at either of its ends: ½ (h ω)² of it. Corner spheres of a declared \
-            radius have a shorter ρ; a pyramid has between μ/√2 and √2 μ, d directions μ cos(π/d) at least. A declared torsional friction a adds a/ρ \
+            radius have a shorter ρ; a pyramid has between μ/√2 and √2 μ, d directions μ cos(π/d) at least. A declared torsional \
+            friction a adds a/ρ \
             to μ beside Coulomb's cone; other laws with one are not asked. A heavier and longer slab, \
             which the floor holds, stops it as the floor does.",
         source: "Newton–Euler and Coulomb, summed over four points",

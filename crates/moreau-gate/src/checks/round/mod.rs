@@ -11,8 +11,8 @@ mod crossed;
 
 use crate::check::{Control, Expected, Run};
 use crate::checks::motion::{Sample, yields};
-use crate::checks::pair::compliant::{self, Approach};
-use crate::checks::pair::meeting::{DURATION, GAP, Meeting, SPEED, in_space, restitution, undamped};
+use crate::checks::pair::compliant::{self, Approach, restitution};
+use crate::checks::pair::meeting::{DURATION, GAP, Meeting, SPEED, in_space, undamped};
 use crate::checks::rest::taken_back;
 use crate::checks::rolling::{self, RADIUS};
 use crate::checks::scenery::{GRAVITY, angle_between, over_floor, sphere};
