@@ -6,7 +6,8 @@ A discrete `MultibodyPlant` with point contact makes steps q⁺ = q + h N v⁺, 
 
 and the approximation (`sap`, `similar`, `lagged`, `tamsi`) is the model of the impulse r.
 Boxes touch through spheres at their eight corners, because a box–box pair has one point only; in
-a step in which no corner of two boxes is in the other one, they touch through that point.
+a step in which no corner of two boxes is half as deep as they overlap, they touch through that
+point, too: their edges cross.
 Capsules touch the ground through the balls at their two ends, for the same reason.
 A static body is welded to the world.  A prescribed velocity is nothing that Drake has: a joint that
 is locked has the velocity 0, and a very heavy body takes part in the momentum that ends iterations.
@@ -34,6 +35,7 @@ sys.path.insert(0, _here)
 
 import _drake_dump  # noqa: E402
 import _drake_facts  # noqa: E402
+from _contact_points import box_box  # noqa: E402
 from _protocol import Unsupported, serve  # noqa: E402
 from _scene import (GROUND, initial_state, kind_of, record, require_declared,  # noqa: E402
                     shape_of, solid_inertia)
@@ -201,23 +203,46 @@ class Model:
                    velocity.translational(), velocity.rotational())
 
     def _let_boxes_meet(self):
-        """Lets those pairs of boxes meet of which no corner is in the other box, and no others."""
+        """Lets those pairs of boxes meet whose overlap their corners do not see, and no others.
+
+        The deepest corner of boxes that lie on each other is as deep as they overlap.  Where edges
+        cross, no corner is in the other box, or one that is less deep: then the corners of the pair
+        have less than half of the overlap.
+        """
         if len(self.boxes) < 2:
             return
         context = self.graph.GetMyMutableContextFromRoot(self.root)
         query = self.graph.get_query_output_port().Eval(context)
-        body_of = query.inspector().GetFrameId
-        touching = {frozenset(map(body_of, (pair.id_A, pair.id_B)))
-                    for pair in query.ComputePointPairPenetration()
-                    if not {pair.id_A, pair.id_B} <= set(self.boxes)}
-        parted = {pair for pair in itertools.combinations(self.boxes, 2)
-                  if frozenset(map(body_of, pair)) in touching}
+        box_of = {query.inspector().GetFrameId(box): box for box in self.boxes}
+        deepest = {}
+        for pair in query.ComputePointPairPenetration():
+            if {pair.id_A, pair.id_B} <= set(self.boxes):
+                continue
+            frames = [query.inspector().GetFrameId(name) for name in (pair.id_A, pair.id_B)]
+            if all(frame in box_of for frame in frames):
+                boxes = tuple(sorted((box_of[frame] for frame in frames), key=self.boxes.index))
+                deepest[boxes] = max(deepest.get(boxes, 0.0), pair.depth)
+        parted = {boxes for boxes, depth in deepest.items()
+                  if 2 * depth >= self._overlap(query, boxes)}
         manager = self.graph.collision_filter_manager(context)
-        for pair in parted - self.parted:
-            manager.Apply(CollisionFilterDeclaration().ExcludeWithin(GeometrySet(pair)))
-        for pair in self.parted - parted:
-            manager.Apply(CollisionFilterDeclaration().AllowWithin(GeometrySet(pair)))
+        for boxes in sorted(parted - self.parted, key=self._place):
+            manager.Apply(CollisionFilterDeclaration().ExcludeWithin(GeometrySet(list(boxes))))
+        for boxes in sorted(self.parted - parted, key=self._place):
+            manager.Apply(CollisionFilterDeclaration().AllowWithin(GeometrySet(list(boxes))))
         self.parted = parted
+
+    def _place(self, boxes):
+        return [self.boxes.index(box) for box in boxes]
+
+    @staticmethod
+    def _overlap(query, boxes):
+        """How far two boxes are in each other, along the axis that parts them best [m]."""
+        placed = []
+        for box in boxes:
+            pose = query.GetPoseInWorld(box)
+            half = [size / 2 for size in query.inspector().GetShape(box).size()]
+            placed.append((half, pose.translation().tolist(), pose.rotation().matrix().tolist()))
+        return max((-gap for gap, _, _ in box_box(*placed)), default=0.0)
 
     def contacts(self):
         """The point contacts of the step that starts at the current state."""

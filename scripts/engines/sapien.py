@@ -160,7 +160,8 @@ class World:
     def states(self):
         """(x, q, v, w) of every body."""
         for component, body in zip(self.bodies, self.scene_bodies):
-            if component is None:
+            # PhysX gives a kinematic body its velocity with its first step
+            if component is None or (self.steps == 0 and kind_of(body) == "prescribed"):
                 yield initial_state(body)
                 continue
             pose = component.entity_pose
