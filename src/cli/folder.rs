@@ -48,7 +48,8 @@ impl Left {
 }
 
 impl Target {
-    /// A folder that is not there, is empty, or holds a report and nothing else; `tell` is told in sentences what earlier runs left beside it.
+    /// A folder that is not there, is empty, or holds a report and nothing else; `tell` is told in sentences what earlier runs left
+    /// beside it.
     ///
     /// # Errors
     /// If it is none of these, or the folder around it is not there.

@@ -1,7 +1,8 @@
 //! How much work iterations need at the collection's problems: passes through W, which are the same on every machine.
 //!
 //! Iterations that factorise nothing are compared alone. A pass is W r for one r, or a sweep over all contacts; the rounding floors of the
-//! certificate, found anew now and then, and the gradients' first estimate of a step read W as well and are not counted. An answer counts with all its passes, those that measured its residual too, and only where the certificate accepts it.
+//! certificate, found anew now and then, and the gradients' first estimate of a step read W as well and are not counted. An
+//! answer counts with all its passes, those that measured its residual too, and only where the certificate accepts it.
 
 use super::{ALL, Known};
 use crate::error::Failure;

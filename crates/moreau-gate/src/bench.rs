@@ -65,8 +65,8 @@ impl<'a> Bench<'a> {
     /// # Errors
     /// `unsupported` if the scene has what the engine does not declare: restitution, friction, a shape, bodies that are not free; or as the
     /// engine answers. `errored` also if the
-    /// trajectory does not answer the question: other bodies, other times, numbers that are not finite. The first state is what the checks and
-    /// the probe `simulate/initial-state` look at.
+    /// trajectory does not answer the question: other bodies, other times, numbers that are not finite. The first state is what
+    /// the checks and the probe `simulate/initial-state` look at.
     pub fn simulate(&mut self, scene: &Scene, time_step: f64, steps: usize, sample_every: usize) -> Reply<Trajectory> {
         self.simulate_with(scene, time_step, steps, sample_every, &Options::new())
     }

@@ -3,7 +3,8 @@
 //! ```text
 //!     one pass     W r for one r, or one sweep, which changes the impulse of every contact once
 //! ```
-//! Counted are the products of the operator for a whole r and the sweeps of `pgs` and `psor`; what goes through W contact by contact elsewhere, or through |W|, is not.
+//! Counted are the products of the operator for a whole r and the sweeps of `pgs` and `psor`; what goes through W contact by contact
+//! elsewhere, or through |W|, is not.
 //! What factorises W does its work elsewhere: its passes say nothing of it. Passes are counted on the thread that makes them; a sweep in
 //! several threads is one pass of the thread that waits for it.
 

@@ -32,7 +32,8 @@ const HIGHLIGHTS: &[Highlight] = &[
     Highlight {
         title: "Does creep vanish with the time step?",
         explanation: "A block on a 20° slope with μ = 0.5 should stick. Every engine that answered, downhill positive: what falls with the \
-            step belongs to the discretisation, what stays to the model, and what is slower than a nanometre per second is not told from rounding.",
+            step belongs to the discretisation, what stays to the model, and what is slower than a nanometre per second is not told from \
+            rounding.",
         check: "incline/stick",
         quantity: "creep speed",
         engines: None,

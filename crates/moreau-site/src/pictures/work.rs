@@ -12,8 +12,8 @@ pub(super) const PICTURE: Picture = Picture {
         en: "Performance profile (Dolan and Moré): the part of the problems of the collection that an iteration answers with at most τ \
             times the least work of any. Where a curve begins: how often it is the best; where it ends: how much it answers at all within \
             500 iterations. Work is the number of passes through W, products and sweeps, which is the same on every machine; looking \
-            whether the answer is good enough counts as well, estimates of a step and of rounding do not. Newton’s, pivoting and interior point methods are not compared: they \
-            factorise matrices, and passes say nothing of that.",
+            whether the answer is good enough counts as well, estimates of a step and of rounding do not. Newton’s, pivoting and \
+            interior point methods are not compared: they factorise matrices, and passes say nothing of that.",
         zh: "性能曲线（Dolan–Moré）：题集中以不超过最小工作量 τ 倍的代价解出的问题所占比例。曲线起点是该迭代最省的频率，终点是 500 次迭代之内总共解出的比例。工作量是遍历 W 的次数（乘积与扫掠），在任何机器上都相同；\
             检查答案是否足够好也计入其中，步长与舍入的估计不计入。Newton 法、主元法与内点法要分解矩阵，遍历次数说明不了它们的代价，故不参与比较。",
     },

@@ -6,6 +6,7 @@ const GROUP: usize = 4;
 /// Replaces b by the x with A x = b, of the first `size` rows and columns; `None` if a pivot is zero or no number. Rows are exchanged, and
 /// zeros passed over. A group of columns is taken whole: what stands left of the pivot in it is not read any more.
 pub(super) fn eliminate<const M: usize>(matrix: &mut [[f64; M]; M], x: &mut [f64; M], size: usize) -> Option<()> {
+    const { assert!(M.is_multiple_of(GROUP), "the last columns would be left out") };
     for k in 0..size {
         let larger = |best: usize, row: usize| if matrix[row][k].abs() > matrix[best][k].abs() { row } else { best };
         let pivot = (k + 1..size).fold(k, larger);

@@ -1,11 +1,12 @@
-//! A few contacts, answered on the stack: no memory is asked for but that of the answer, and nothing is prepared that the data do not ask for.
+//! A few contacts, answered on the stack: no memory is asked for but that of candidates, and nothing is prepared that the data do not ask
+//! for.
 //!
 //! ```text
 //!     frictionless   Newton-min, then Lemke's path, over a support: M_αα z_α = −q_α                  (`normals`, `path`)
 //!     Coulomb        a few sweeps, then Newton's method on the contacts that press                   (`friction`, `newton`)
 //! ```
-//! What is returned meets the certificate's residual; where nothing does, nothing is returned, and the longer chain begins as if nothing had
-//! been tried. Numbers of iterations are fixed, so that they are what the problem makes them.
+//! What is returned meets the certificate's residual; where nothing does, nothing is returned, and the longer chain begins from the same
+//! start, its answer without these iterations. Numbers of iterations are fixed, so that they are what the problem makes them.
 
 mod contacts;
 mod elimination;

@@ -12,7 +12,11 @@ pub(super) struct Rows {
     pub size: usize,
     pub matrix: [[f64; MOST]; MOST],
     pub vector: [f64; MOST],
+    /// Whether q is u_free and M is W, with nothing added.
+    pub is_plain: bool,
 }
+
+const _: () = assert!(MOST <= Support::BITS as usize, "a support has a bit for every row");
 
 /// The support of one row.
 pub(super) fn bit(row: usize) -> Support {
@@ -23,7 +27,7 @@ impl Rows {
     /// Of a W that is stored.
     pub(super) fn of(problem: &ContactProblem) -> Option<Rows> {
         let (size, rows) = (problem.contacts(), problem.rows_per_contact());
-        let mut made = Rows { size, matrix: [[0.0; MOST]; MOST], vector: [0.0; MOST] };
+        let mut made = Rows { size, matrix: [[0.0; MOST]; MOST], vector: [0.0; MOST], is_plain: true };
         match problem.delassus() {
             Operator::Dense(dense) => {
                 for k in 0..size {
@@ -40,6 +44,7 @@ impl Rows {
         for k in 0..size {
             made.matrix[k][k] += problem.row_compliance(k * rows);
             made.vector[k] = free[k * rows] + shift[k * rows];
+            made.is_plain &= shift[k * rows] == 0.0 && problem.row_compliance(k * rows) == 0.0;
         }
         Some(made)
     }

@@ -85,6 +85,15 @@ fn an_answer_in_which_rounding_hides_the_data_is_not_taken_for_exact() {
 }
 
 #[test]
+fn a_shift_that_cancels_the_free_velocity_is_left_to_the_certificate() {
+    // q = −1 is the difference of two numbers of 10¹⁰, of which rounding leaves more than 10⁻⁵
+    let builder = lcp(dmatrix![1.0], dvector![1e10]).into_builder().shift(dvector![-1e10 - 1.0]);
+    let problem = builder.build().expect("sizes fit");
+    let found = solved(&problem).map(|found| Judge::default().judge(&problem, &found).expect("sizes fit").relative());
+    assert!(found.is_none_or(|relative| relative <= ENOUGH), "{found:?}");
+}
+
+#[test]
 fn one_contact_has_its_closed_form_in_one_sweep() {
     for (free, impulse) in of_a_point(Law::Coulomb) {
         let found = solved(&point(Law::Coulomb, 0.5, free)).expect("one contact");
