@@ -52,7 +52,7 @@ fn iterations() -> [(&'static str, Box<dyn ContactSolver>); 5] {
         ("pgs, Anderson", Box::new(ProjectedGaussSeidel { sweeps: MOST, tolerance, ..ProjectedGaussSeidel::accelerated() })),
         ("psor", Box::new(ProjectedOverRelaxation { sweeps: MOST, tolerance, ..Default::default() })),
         ("apgd", Box::new(AcceleratedProjectedGradient { iterations: MOST, tolerance, ..Default::default() })),
-        ("bb", Box::new(BarzilaiBorwein { iterations: MOST, tolerance, ..Default::default() })),
+        ("bb", Box::new(BarzilaiBorwein { iterations: MOST, tolerance })),
     ]
 }
 
