@@ -130,6 +130,9 @@ mod tests {
         let free = DVector::zeros(2);
         let problem = ContactProblem::from_dynamics(DMatrix::identity(2, 2), jacobian, &free).rows_per_contact(1).build().unwrap();
         assert_eq!(find(&problem), [0, 0, 0, 3], "the first two meet through the third; the last touches other velocities");
+        let apart = dmatrix![1.0, 1.0; 1.0, -1.0; 2.0, 2.0];
+        let apart = ContactProblem::from_dynamics(DMatrix::identity(2, 2), apart, &free).rows_per_contact(1).build().unwrap();
+        assert_eq!(find(&apart), [0, 1, 0], "the one between the two meets neither");
         let rows = &problem.dynamics().unwrap().jacobian;
         let (mass, rows) = (Sparse::of(&DMatrix::identity(2, 2)), Sparse::of(rows));
         let by_bodies = SparseDynamics::new(&mass, &rows, 1).unwrap();

@@ -141,3 +141,28 @@ fn redundant_contacts_and_other_laws_are_answered_rightly_or_left_to_the_chain()
         }
     }
 }
+
+#[test]
+fn the_rows_of_a_sliding_contact_are_the_derivative_of_their_right_side() {
+    // y = W r + q is (0, ½, −¼) at r = (1, −0.3, 0.1): it slides, and its normal equation holds
+    let (w, impulse) = (dmatrix![1.0, 0.2, 0.1; 0.2, 1.5, -0.3; 0.1, -0.3, 1.2], dvector![1.0, -0.3, 0.1]);
+    let problem = ContactProblem::new(w.clone(), dvector![0.0, 0.5, -0.25] - &w * &impulse).friction(vec![0.4]).build().expect("sizes fit");
+    let linearised = |impulse: &DVector<f64>| {
+        let mut contacts = contacts::Contacts::<3>::new(&problem, Some(impulse));
+        contacts.begin(&problem).expect("it can be solved alone");
+        let (mut rows, mut right) = ([[0.0; 4]; 3], [0.0; 3]);
+        (0..9).for_each(|place| rows[place / 3][place % 3] = w[(place / 3, place % 3)]);
+        contacts.linearise(0, 0.0, &mut rows, &mut right, 0);
+        (rows, right)
+    };
+    let ((rows, right), step) = (linearised(&impulse), 1.0 / 1_048_576.0);
+    for column in 0..3 {
+        let mut moved = impulse.clone();
+        moved[column] += step;
+        let other = linearised(&moved).1;
+        for row in 0..3 {
+            let slope = (right[row] - other[row]) / step;
+            assert!((slope - rows[row][column]).abs() <= 1e-4, "{row} {column}: {slope} {}", rows[row][column]);
+        }
+    }
+}
