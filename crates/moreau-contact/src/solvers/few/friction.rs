@@ -5,6 +5,7 @@
 use super::contacts::Contacts;
 use super::newton;
 use super::parts::{MOST, answer, relative};
+use crate::cones::second_order::tangential_norm;
 use crate::problem::{ContactProblem, Solution};
 use crate::solvers::watch;
 use crate::tolerance::newton::{FEW_NEWTON_STEPS, FEW_ROUNDS, FEW_SWEEPS_BEFORE};
@@ -40,7 +41,8 @@ pub(super) fn solve<const D: usize>(problem: &ContactProblem, start: Option<&DVe
 impl<const D: usize> Contacts<D> {
     /// The answer, if its residual is at most this.
     fn judged(&self, problem: &ContactProblem, name: &str, iterations: usize, most: f64) -> Option<Solution> {
-        let impulse = DVector::from_column_slice(self.impulse[..self.count].as_flattened());
+        let mut impulse = DVector::from_column_slice(self.impulse[..self.count].as_flattened());
+        impulse.as_mut_slice().chunks_exact_mut(D).zip(problem.friction()).for_each(|(r, mu)| take_back(r, *mu));
         let solution = answer(problem, name, impulse, iterations);
         let relative = relative(problem, &solution);
         watch::note(relative);
@@ -64,5 +66,13 @@ impl<const D: usize> Contacts<D> {
             *iterations += 1;
         }
         self.judged(problem, "nonsmooth-newton", *iterations, enough)
+    }
+}
+
+/// Takes back the friction that Newton's method leaves beyond the disk of radius μ r_n.
+fn take_back(impulse: &mut [f64], friction: f64) {
+    let (radius, reach) = (friction * impulse[0].max(0.0), tangential_norm(impulse));
+    if reach > radius {
+        impulse[1..].iter_mut().for_each(|r| *r *= radius / reach);
     }
 }

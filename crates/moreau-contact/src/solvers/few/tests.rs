@@ -3,11 +3,13 @@
 use super::super::{AlternatingDirections, Auto, ContactSolver, Murty, PrincipalOutcome, on_support};
 use super::*;
 use crate::certificate::Judge;
+use crate::cones::second_order::tangential_norm;
 use crate::operator::{BlockSparse, Sparse};
 use crate::problem::Lcp;
 use crate::solvers::test_problems::{by_blocks, four_corners, of_a_point, point};
 use crate::tolerance::certificate::CERTIFY;
 use crate::tolerance::solvers::{ENOUGH, STOP};
+use moreau_exact::tolerance::rounding;
 use nalgebra::{DMatrix, dmatrix, dvector};
 
 /// Numbers of no pattern in [−1, 1].
@@ -119,6 +121,9 @@ fn friction_is_solved_to_the_same_velocity_as_by_alternating_directions() {
         assert!(relative <= ENOUGH, "{trial}: {relative}");
         let other = AlternatingDirections::default().solve(&problem, None).expect("symmetric");
         assert!((&other.velocity - &found.velocity).amax() <= CERTIFY, "{trial}");
+        for r in found.impulse.as_slice().chunks_exact(rows) {
+            assert!(tangential_norm(r) <= 0.3 * r[0] + rounding(4, r[0]), "{trial}: beyond the cone by more than its own rounding");
+        }
         let again = solve(&problem, Some(&found.impulse), STOP, ENOUGH).expect("it is one already");
         assert!((&again.velocity - &found.velocity).amax() <= CERTIFY, "{trial}: from the answer");
         let stored = by_blocks(&problem);
