@@ -14,8 +14,12 @@ use crate::model::normal::{Arms, Normal};
 use crate::tolerance::{ball, pair as tolerance};
 use crate::{Bench, Expectation, Kind, Measurement};
 
-/// Points that two faces may touch at: the corners of their common part, each once or once for either box.
+/// Points that two faces may touch at, of which one lies in the other: the corners of their common part, each once or once for either box.
 const POINTS_OF_FACES: [f64; 2] = [4.0, 8.0];
+
+/// Points that two faces beside each other may touch at: as above, or the one corner of each that lies in the other. Both ends of a
+/// diagonal are as far from the middle of the common part, so that they, too, answer alike.
+const POINTS_OF_FACES_BESIDE: [f64; 3] = [2.0, 4.0, 8.0];
 
 /// How bodies approach whose contact is replayed.
 #[derive(Clone, Copy, Debug)]
@@ -57,6 +61,18 @@ pub(in crate::checks) fn balls<const N: usize>(bench: &Bench, bodies: [(f64, f64
 /// Two faces that stay parallel, at all numbers of points that they may touch at.
 pub(in crate::checks) fn faces(bench: &Bench, response: f64, masses: &[f64], h: f64) -> Vec<Normal> {
     POINTS_OF_FACES.iter().filter_map(|count| points(bench, response, masses, *count, h)).collect()
+}
+
+/// The same where either face has one corner in the other; boxes that touch with spheres at their corners by declaration have these two
+/// points only.
+pub(in crate::checks) fn faces_beside(bench: &Bench, response: f64, masses: &[f64], h: f64) -> Vec<Normal> {
+    let counts = if corner_radius(bench) > 0.0 { &POINTS_OF_FACES_BESIDE[..1] } else { &POINTS_OF_FACES_BESIDE };
+    counts.iter().filter_map(|count| points(bench, response, masses, *count, h)).collect()
+}
+
+/// Declared radius \[m\] of the spheres with which the corners of boxes touch; 0 where none is declared.
+pub(in crate::checks) fn corner_radius(bench: &Bench) -> f64 {
+    bench.description().contact_model.number("corner_radius").unwrap_or(0.0)
 }
 
 /// The most points that two faces may touch at.
