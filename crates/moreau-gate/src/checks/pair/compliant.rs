@@ -106,3 +106,30 @@ pub(in crate::checks) fn restitution(
     let asked = bench.description().contact_model.kind == Kind::Rigid || law.is_some();
     (asked && opening(bench, slip) == 0.0).then(|| returned(bench, h, (words, e), (value, SPEED), later, law))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::description::OneOrMany;
+    use crate::{ContactModel, Description, Engine, Options, Parameter};
+
+    /// Points of faces beside each other, of an engine with springs that declares this radius of its corners.
+    fn counts(radius: Option<f64>) -> Vec<f64> {
+        let mut engine = crate::own::by_name("moreau-jean").expect("listed");
+        let options = Options::new();
+        let described = engine.describe(&options).expect("describes itself");
+        let declared = [("stiffness", 1e5), ("damping", 100.0)].into_iter().chain(radius.map(|radius| ("corner_radius", radius)));
+        let one = |(name, value): (&str, f64)| (name.into(), Parameter { value: OneOrMany::One(value), unit: OneOrMany::One("1".into()) });
+        let contact_model =
+            ContactModel { kind: Kind::Compliant, law: Some("spring-damper".into()), parameters: declared.map(one).collect() };
+        let description = Description { contact_model, ..described };
+        let bench = Bench::new(&mut engine, &description, &options);
+        faces_beside(&bench, 0.5, &[1.0, 3.0], 0.01).iter().map(|contact| 2.0 / contact.mass).collect()
+    }
+
+    #[test]
+    fn faces_beside_each_other_may_touch_by_a_corner_of_each_and_with_spheres_there_they_do() {
+        assert_eq!(counts(None), [2.0, 4.0, 8.0]);
+        assert_eq!(counts(Some(0.005)), [2.0]);
+    }
+}
