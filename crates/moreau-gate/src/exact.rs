@@ -76,6 +76,39 @@ pub(crate) fn judge_declaring<F: Fn(&Scene, usize, f64, f64) -> RigidState + Sen
     declared: &[(&str, f64, &str)],
     motion: F,
 ) -> Vec<crate::Measurement> {
+    answer_declaring(check, h, declared, motion).expect("an exact engine answers")
+}
+
+/// Why a check is not asked of an engine that declares these numbers, if it is not; where it is, its bodies stay where they are.
+pub(crate) fn refusal(check: &str, h: f64, declared: &[(&str, f64, &str)]) -> Option<String> {
+    let still = |scene: &Scene, index: usize, _: f64, _: f64| {
+        let body = &scene.bodies[index];
+        (body.position, body.orientation, [0.0; 3], [0.0; 3])
+    };
+    match answer_declaring(check, h, declared, still) {
+        Err(crate::Refusal::Unsupported(reason)) => Some(reason),
+        answer => {
+            answer.expect("an engine whose bodies stay answers");
+            None
+        }
+    }
+}
+
+/// What is found at the bench of a rigid engine that declares a pyramid within or around the cone.
+pub(crate) fn declaring_a_pyramid<T>(find: impl FnOnce(&crate::Bench) -> T) -> T {
+    let mut engine = crate::own::by_name("moreau-jean").expect("listed");
+    let options = Options::new();
+    let described = engine.describe(&options).expect("our own engine describes itself");
+    let description = Description { friction: Friction::Pyramid, ..described };
+    find(&crate::Bench::new(&mut engine, &description, &options))
+}
+
+fn answer_declaring<F: Fn(&Scene, usize, f64, f64) -> RigidState + Send>(
+    check: &str,
+    h: f64,
+    declared: &[(&str, f64, &str)],
+    motion: F,
+) -> Reply<Vec<crate::Measurement>> {
     let check = crate::checks::find(check).expect("a registered check");
     let mut engine = Exact { motion };
     let options = Options::new();
@@ -86,7 +119,7 @@ pub(crate) fn judge_declaring<F: Fn(&Scene, usize, f64, f64) -> RigidState + Sen
     }
     let mut bench = crate::Bench::new(&mut engine, &description, &options);
     match check.run {
-        crate::Run::EachStep(run) => run(&mut bench, h).expect("an exact engine answers"),
-        crate::Run::Once(run) => run(&mut bench).expect("an exact engine answers"),
+        crate::Run::EachStep(run) => run(&mut bench, h),
+        crate::Run::Once(run) => run(&mut bench),
     }
 }

@@ -3,14 +3,17 @@
 use crate::model::Model;
 use crate::model::compression::LoadedPoint;
 use crate::model::normal::Normal;
+use crate::model::sliding::hops;
+use crate::tolerance::conveyor::rounded_corner;
 use crate::tolerance::metamorphic::vanishes;
-use crate::{Bench, Kind};
+use crate::tolerance::stack;
+use crate::{Bench, Kind, Refusal, Reply};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::trajectory::BodyTrack;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// Bodies that lie on a plane start this far above it \[m\], 2⁻²⁶, so that all their corners touch in the same step and rounding does not
-/// decide which do.
+/// decide which do; in single precision it does, for coordinates of more than a centimetre.
 pub(super) const CLEARANCE: f64 = 1.0 / (1u64 << 26) as f64;
 
 /// Radius of the spheres of these families \[m\], and about the half extents of their boxes.
@@ -46,6 +49,36 @@ pub(super) fn opens_within(bench: &Bench, steps: usize) -> Option<f64> {
     let Model::Coulomb(limits) = Model::of(bench.description()) else { return None };
     let part = limits.taken_back();
     (limits.penetration_allowance == 0.0 && vanishes(part, steps as f64)).then_some(part)
+}
+
+/// Whether the points of a face that slides stay closed in so many steps, so that all of them slip as its middle does: rigid contacts that
+/// open neither by their slip nor where a depth is taken back, laid down by a gap that rounding of coordinates of `size` \[m\] leaves
+/// alike.
+pub(super) fn stays_closed(bench: &Bench, steps: usize, size: f64) -> bool {
+    let laid_alike = rounded_corner(bench.epsilon(), size) <= CLEARANCE;
+    laid_alike && !yields(bench) && !hops(bench.description()) && opens_within(bench, steps).is_none()
+}
+
+/// Whether a declared error reduction lets boxes hop that nothing else moves: where they go then is not predicted.
+pub(super) fn pushed_to_hop(bench: &Bench) -> bool {
+    match Model::of(bench.description()) {
+        Model::Coulomb(limits) => limits.penetration_allowance == 0.0 && stack::hops(limits.error_reduction),
+        _ => false,
+    }
+}
+
+/// Refuses the check to an engine whose declared error reduction lets boxes hop.
+///
+/// # Errors
+/// `unsupported` with that reason.
+pub(super) fn does_not_hop(bench: &Bench) -> Reply<()> {
+    if pushed_to_hop(bench) {
+        return Err(Refusal::unsupported(
+            "the engine declares `error_reduction` of more than a third and no allowance: boxes that are pushed out hop, \
+             and where they go is not predicted",
+        ));
+    }
+    Ok(())
 }
 
 /// One body at one sample.

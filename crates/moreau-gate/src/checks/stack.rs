@@ -15,12 +15,13 @@
 //! pushed out sideways by every rule of the least distance; so the boxes are narrower by as much as a sound engine may find them late.
 
 use crate::check::{Control, Run};
+use crate::checks::motion::does_not_hop;
 use crate::checks::scenery::{GRAVITY, angle_between, cuboid, over_floor, worst};
 use crate::model::compression::LoadedPoint;
 use crate::model::solid::box_moments;
 use crate::model::{Model, sink};
 use crate::tolerance::{SOLVED, stack as tolerance};
-use crate::{Bench, Check, Expectation, Kind, Level, Measurement, Refusal, Reply};
+use crate::{Bench, Check, Expectation, Kind, Level, Measurement, Reply};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::trajectory::{BodyTrack, ContactRecord, Trajectory};
 use moreau_forms::soft_rigid_contact::inverse_mass_at;
@@ -306,19 +307,6 @@ fn tipped(model: &Model, levels: usize, h: f64, steps: usize) -> Option<f64> {
     }
 }
 
-/// Refuses the check to an engine whose declared error reduction lets boxes hop.
-fn does_not_hop(bench: &Bench) -> Reply<()> {
-    match Model::of(bench.description()) {
-        Model::Coulomb(limits) if limits.penetration_allowance == 0.0 && tolerance::hops(limits.error_reduction) => {
-            Err(Refusal::unsupported(
-                "the engine declares `error_reduction` of more than a third and no allowance: boxes that are pushed out hop, \
-                 and where a pile of them goes is not predicted",
-            ))
-        }
-        _ => Ok(()),
-    }
-}
-
 /// Largest overlap \[m\] of boxes that are neighbours, and of the lowest with the ground, from the heights of their centres.
 fn overlap(trajectory: &Trajectory) -> f64 {
     let depth = |k: usize| {
@@ -359,7 +347,7 @@ mod tests {
 
     #[test]
     fn a_pile_is_not_asked_of_an_engine_whose_declared_correction_lets_boxes_hop() {
-        use crate::Engine;
+        use crate::{Engine, Refusal};
         let mut engine = crate::own::by_name("moreau-jean").expect("listed");
         let options = crate::Options::new();
         let described = engine.describe(&options).expect("describes itself");

@@ -40,12 +40,12 @@ pub const PLANTED: &[Planted<Faulty>] = &[
     Planted {
         name: "round/sides-pass-through",
         mistake: "has no contact between two capsules",
-        kind: Kind::Scheme,
+        kind: Kind::Assembly,
         subject: Faulty { engine: || with_mechanism(sides_pass), caught_by: &["round/crossed"] },
     },
 ];
 
-/// Capsules of which there are no others touch the ground only.
+/// Where all bodies are capsules, they touch the ground only.
 fn sides_pass(scene: &Scene) -> Result<(Box<dyn Mechanism>, State)> {
     if scene.bodies.iter().all(|body| body.capsule.is_some()) {
         touching(scene, |contacts, _, _| contacts.retain(|one| pair(one).is_none()))

@@ -16,6 +16,13 @@ pub fn speed(belt: f64) -> f64 {
     SOLVED * belt
 }
 
+/// Rounding \[m\] of where a corner is: the place, the four products of a quaternion's turn in each of three coordinates, and the plane's
+/// offset, at most 16 roundings of a coordinate of this `size` \[m\].
+/// Derived.
+pub fn rounded_corner(epsilon: f64, size: f64) -> f64 {
+    16.0 * epsilon * size
+}
+
 /// Error of the belt's reported velocity \[m/s\]: rounded, or a difference of two places on its `way` \[m\] over h.
 /// Derived.
 pub fn belt_speed(epsilon: f64, velocity: f64, way: f64, h: f64) -> f64 {

@@ -7,7 +7,8 @@ pub fn lever(full: f64, depth: f64, radius: f64) -> f64 {
     5.0 / 7.0 * full * depth / radius
 }
 
-/// Slip \[m/s\] that is seen at the lever R of a ball that rolls with v = ω ℓ, R − δ ≤ ℓ ≤ R: v δ/R, to first order.
+/// Slip that is seen at the lever R of a ball that rolls with v = ω ℓ, R − δ ≤ ℓ ≤ R: |v (1 − R/ℓ)| ≤ v δ/(R − δ), in the unit of v, which
+/// may be a velocity \[m/s\] or an acceleration \[m/s²\].
 /// Derived.
 pub fn rim(speed: f64, depth: f64, radius: f64) -> f64 {
     speed * depth / (radius - depth)

@@ -41,9 +41,10 @@ pub const CHECKS: &[Check] = &[
         name: "limits/small",
         level: Level::Simulate,
         question: "Does a cube of 4 cm stand on its four corners on a slope, as a large one does?",
-        derivation: "As incline/stick: tan 20° = 0.364 < μ = 1/2, and the weight passes through the base, tan α < 1. With fewer points, \
-            or all in one, it would slip aside, tip or turn within √(a/g). Gravity is 0.1 m/s², so that a step of a thirtieth of a \
-            second finds it no deeper than 3/2 g h² = 0.17 mm. The declared laws creep with this gravity as they do with another.",
+        derivation: "As incline/stick: tan 20° = 0.364 < μ = 0.7, and the weight passes through the base, tan α < 1. With fewer points, \
+            or all in one, it would slip aside, tip or turn within √(a/g) = 0.14 s; it is watched for 0.25 s. Gravity is 1 m/s², so that \
+            a step of a thirtieth of a second finds it no deeper than 3/2 g h² = 1.7 mm. Engines whose contacts yield or creep by \
+            declaration are not asked.",
         source: "equilibrium of Coulomb–Signorini contact; engines that merge or drop near contact points",
         run: Run::EachStep(small::small),
         control: Control { passes: "moreau-jean", fails: "limits/points-nearer-than-5-cm-merged" },

@@ -11,6 +11,7 @@ use crate::checks::limits::sloping::{MARGIN, MASS, RADIUS, ball_on_slope};
 use crate::checks::motion::{Sample, Slope, samples};
 use crate::checks::scenery::schedule;
 use crate::description::Friction;
+use crate::model::addition::Addition;
 use crate::model::sliding::{SPHERE, hops};
 use crate::model::{Model, RigidLimits, damping};
 use crate::tolerance::{flight, incline, limits as tolerance};
@@ -49,7 +50,12 @@ fn ball(bench: &mut Bench, h: f64) -> Reply<Measurement> {
     let exact = slope.pull - full;
     let ideal = Expectation::equal(exact, error, "g (sin α − 7/2 μ cos α), whatever the normal impulses");
     let law = law(bench, [slope.pull, full], h, time).map(|law| Expectation { tolerance: law.tolerance + error, ..law });
-    Ok(Measurement::new("(u + 7/2 μ v_n)/T of a ball with 7/2 μ below tan α", "m/s^2", slip / time, ideal).predicted(law))
+    let held = (Addition::StaticFriction.declared(bench.description()) * full >= slope.pull).then(|| {
+        let rolling = slope.pull * (1.0 - 1.0 / SPHERE);
+        let allowed = incline::momentum(slope.press) + tolerance::rim(rolling, depth, RADIUS);
+        Expectation::equal(0.0, allowed, "the declared static friction holds it: it rolls")
+    });
+    Ok(Measurement::new("(u + 7/2 μ v_n)/T of a ball with 7/2 μ below tan α", "m/s^2", slip / time, ideal).predicted(held.or(law)))
 }
 
 /// Velocity of the ball's lowest point down the slope \[m/s\].
@@ -106,7 +112,7 @@ fn damped(limits: &RigidLimits, [pull, full]: [f64; 2], h: f64, time: f64) -> (f
 mod tests {
     use super::*;
     use crate::Verdict;
-    use crate::exact::judge;
+    use crate::exact::judge_declaring;
     use crate::runner::SWEEP;
 
     #[test]
@@ -118,7 +124,11 @@ mod tests {
 
     /// The verdict on the ball whose friction is `factor` of what it should be.
     fn verdict(h: f64, factor: f64) -> Verdict {
-        let measured = judge("limits/stick", h, |scene, _, _, t| {
+        verdict_declaring(h, factor, &[])
+    }
+
+    fn verdict_declaring(h: f64, factor: f64, declared: &[(&str, f64, &str)]) -> Verdict {
+        let measured = judge_declaring("limits/stick", h, declared, |scene, _, _, t| {
             let slope = Slope::of(scene).expect("a plane");
             let body = &scene.bodies[0];
             let friction = factor * scene.material.friction * slope.press;
@@ -129,6 +139,16 @@ mod tests {
             (place.into(), body.orientation, velocity.into(), spin.into())
         });
         measured[2].verdict()
+    }
+
+    #[test]
+    fn a_ball_that_declared_static_friction_holds_rolls_and_one_that_it_does_not_hold_slips() {
+        let rolls = 1.0 / (1.0 - MARGIN);
+        for h in SWEEP {
+            let of = |factor: f64, declared: f64| verdict_declaring(h, factor, &[("static_friction", declared, "1")]);
+            assert_eq!((of(rolls, 1.05), of(1.0, 1.05)), (Verdict::Difference, Verdict::Fail), "{h}");
+            assert_eq!((of(rolls, 1.01), of(1.0, 1.01)), (Verdict::Fail, Verdict::Pass), "{h}");
+        }
     }
 
     #[test]

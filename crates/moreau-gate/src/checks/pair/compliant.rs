@@ -14,8 +14,12 @@ use crate::model::normal::{Arms, Normal};
 use crate::tolerance::{ball, pair as tolerance};
 use crate::{Bench, Expectation, Kind, Measurement};
 
-/// Points that two faces may touch at: the corners of their common part, each once or once for either box.
+/// Points that two faces may touch at, of which one lies in the other: the corners of their common part, each once or once for either box.
 const POINTS_OF_FACES: [f64; 2] = [4.0, 8.0];
+
+/// Points that two faces beside each other may touch at: as above, or the one corner of each that lies in the other. Both ends of a
+/// diagonal are as far from the middle of the common part, so that they, too, answer alike.
+const POINTS_OF_FACES_BESIDE: [f64; 3] = [2.0, 4.0, 8.0];
 
 /// How bodies approach whose contact is replayed.
 #[derive(Clone, Copy, Debug)]
@@ -59,6 +63,18 @@ pub(in crate::checks) fn faces(bench: &Bench, response: f64, masses: &[f64], h: 
     POINTS_OF_FACES.iter().filter_map(|count| points(bench, response, masses, *count, h)).collect()
 }
 
+/// The same where either face has one corner in the other; boxes that touch with spheres at their corners by declaration have these two
+/// points only.
+pub(in crate::checks) fn faces_beside(bench: &Bench, response: f64, masses: &[f64], h: f64) -> Vec<Normal> {
+    let counts = if corner_radius(bench) > 0.0 { &POINTS_OF_FACES_BESIDE[..1] } else { &POINTS_OF_FACES_BESIDE };
+    counts.iter().filter_map(|count| points(bench, response, masses, *count, h)).collect()
+}
+
+/// Declared radius \[m\] of the spheres with which the corners of boxes touch; 0 where none is declared.
+pub(in crate::checks) fn corner_radius(bench: &Bench) -> f64 {
+    bench.description().contact_model.number("corner_radius").unwrap_or(0.0)
+}
+
 /// The most points that two faces may touch at.
 pub(in crate::checks) fn most_points_of_faces() -> f64 {
     POINTS_OF_FACES[1]
@@ -89,4 +105,31 @@ pub(in crate::checks) fn restitution(
     let law = rebound(bench, contacts, approach, later);
     let asked = bench.description().contact_model.kind == Kind::Rigid || law.is_some();
     (asked && opening(bench, slip) == 0.0).then(|| returned(bench, h, (words, e), (value, SPEED), later, law))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::description::OneOrMany;
+    use crate::{ContactModel, Description, Engine, Options, Parameter};
+
+    /// Points of faces beside each other, of an engine with springs that declares this radius of its corners.
+    fn counts(radius: Option<f64>) -> Vec<f64> {
+        let mut engine = crate::own::by_name("moreau-jean").expect("listed");
+        let options = Options::new();
+        let described = engine.describe(&options).expect("describes itself");
+        let declared = [("stiffness", 1e5), ("damping", 100.0)].into_iter().chain(radius.map(|radius| ("corner_radius", radius)));
+        let one = |(name, value): (&str, f64)| (name.into(), Parameter { value: OneOrMany::One(value), unit: OneOrMany::One("1".into()) });
+        let contact_model =
+            ContactModel { kind: Kind::Compliant, law: Some("spring-damper".into()), parameters: declared.map(one).collect() };
+        let description = Description { contact_model, ..described };
+        let bench = Bench::new(&mut engine, &description, &options);
+        faces_beside(&bench, 0.5, &[1.0, 3.0], 0.01).iter().map(|contact| 2.0 / contact.mass).collect()
+    }
+
+    #[test]
+    fn faces_beside_each_other_may_touch_by_a_corner_of_each_and_with_spheres_there_they_do() {
+        assert_eq!(counts(None), [2.0, 4.0, 8.0]);
+        assert_eq!(counts(Some(0.005)), [2.0]);
+    }
 }

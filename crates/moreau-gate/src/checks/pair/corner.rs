@@ -5,12 +5,15 @@
 //! ```
 //! The corner is below the centre and J is that of a sphere, so that normal and tangents are uncoupled in any direction of slip.
 
+use crate::checks::motion::{Sample, samples, yields};
+use crate::checks::pair::compliant::corner_radius;
 use crate::checks::pair::meeting::{DURATION, GAP, Meeting, SPEED, gained, in_space, moments_of, opening, steps, undamped};
 use crate::checks::pair::rough::Rough;
 use crate::checks::pair::view::View;
 use crate::checks::scenery::cuboid;
 use crate::{Bench, Measurement, Reply};
 use moreau_dynamics::scenes::{Body, Ground, Scene};
+use moreau_dynamics::trajectory::Trajectory;
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::FRAC_PI_2;
 
@@ -49,11 +52,6 @@ pub(super) fn corner(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     Ok(measured)
 }
 
-/// Depth \[m\] by which corners with spheres are shorter, by declaration.
-fn rounded(bench: &Bench) -> f64 {
-    bench.description().contact_model.number("corner_radius").unwrap_or(0.0)
-}
-
 /// n = x seen as −z.
 fn on_the_floor(bench: &mut Bench, h: f64, (words, mu, e): (&str, f64, f64)) -> Reply<Vec<Measurement>> {
     let view = View { turn: UnitQuaternion::from_scaled_axis(Vector3::y() * FRAC_PI_2), reversed: false };
@@ -64,9 +62,17 @@ fn on_the_floor(bench: &mut Bench, h: f64, (words, mu, e): (&str, f64, f64)) -> 
     let gain = gained(&scene, &motion, 0);
     let approach = SPEED + opening(bench, mu * SLIP);
     let mut meeting = Meeting::on_the_floor(bench, gain, (MASSES[0] * (SPEED + SLIP), lever()), approach, h).turned_back(&view);
-    meeting.apart += 2.0 * rounded(bench);
+    meeting.apart += 2.0 * corner_radius(bench);
+    meeting.lasted = lasted(bench, &motion, h);
     let rough = rough((words, mu, e), [f64::INFINITY, f64::INFINITY], [lever(), 0.0], 0.0);
     Ok(rough.measured(bench, h, &meeting))
+}
+
+/// Time \[s\] for which the corner of a body that yields was below the floor, up to the next samples; 0 where nothing yields.
+fn lasted(bench: &Bench, motion: &Trajectory, h: f64) -> f64 {
+    let corner = |state: &Sample| (state.position + state.rotation * Vector3::repeat(CUBE)).z;
+    let below = samples(&motion.bodies[0]).iter().filter(|state| corner(state) < 0.0).count();
+    if yields(bench) { (below + 1) as f64 * h } else { 0.0 }
 }
 
 /// The box moves across, so that its middle is where the corner arrives.
@@ -76,7 +82,7 @@ fn on_a_box(bench: &mut Bench, h: f64, (words, mu, e): (&str, f64, f64)) -> Repl
     let scene = in_space("cube on a box", vec![cube([SPEED, 0.0, 0.0], HALF[0] + GAP), block], mu, e);
     let approach = SPEED + opening(bench, mu * SLIP);
     let mut meeting = Meeting::viewed(bench, &scene, &View::turned(true), (Vector3::x(), approach), (DURATION, h))?;
-    meeting.apart += 2.0 * rounded(bench);
+    meeting.apart += 2.0 * corner_radius(bench);
     let moment = moments_of(&scene.bodies[1]).z;
     let rough = rough((words, mu, e), [MASSES[1], moment], [lever(), HALF[0]], SLIP);
     Ok(rough.measured(bench, h, &meeting))

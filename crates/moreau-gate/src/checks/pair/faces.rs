@@ -103,7 +103,7 @@ pub(super) fn faces(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
         for (order, reversed) in [("", false), (", target listed first", true)] {
             let words = format!(", {}{order}", faces.words);
             let mut strike = faces.strike(&words, restitution);
-            strike.springs = compliant::faces(bench, strike.inverse_mass(), &faces.masses, h);
+            strike.springs = compliant::faces_beside(bench, strike.inverse_mass(), &faces.masses, h);
             measured.extend(strike.measured(bench, h, &View::turned(reversed))?);
         }
     }

@@ -132,7 +132,10 @@ pub const CHECKS: &[Check] = &[
         question: "Is a plank that slides on another one, along no edge, braked with μ g against its slide, for as long as it slides?",
         derivation: "The floor holds the lower plank, μ m g ≤ μ (m + M) g. So ‖v_t‖ + μ v_n = v₀ − μ g t for every sequence of normal \
             impulses, as on the floor itself (incline/slide), whatever contact points carry the plank. It slides along (4, 3)/5 of its \
-            edges; with d directions of friction the slip turns, and μ cos(π/d) to μ act against it. A law that hops and \
+            edges; with d directions of friction the slip turns, and μ cos(π/d) to μ act against it, with a pyramid μ/√2 to √2 μ, of \
+            p_n/m = g t + v_n: a part c of μ leaves (1 − c) μ v_n of the sum. Friction is along the slide only where all \
+            points slip alike: what goes aside is not asked of pyramids, of contacts that yield, hop, or open when their depth has been \
+            taken back, nor in single precision. A law that hops and \
             whose friction softens with the force of each landing brakes with up to that.",
         source: "Coulomb's law and the balance of momentum",
         run: Run::EachStep(planks::plank_on_plank),
@@ -176,8 +179,8 @@ pub const CHECKS: &[Check] = &[
             alike, both boxes have the same spin, which puts the impulse at y = d J₁/(J₁ + J₂) from the first centre, in each direction \
             along the faces, and W_n = 1/m + 1/M + Σ d²/(J₁ + J₂). That is so if this place is on both faces; otherwise the impulse acts \
             at the nearest edge of both, and the rest opens faster. The motion is unique, the parts of the corners are not and are not \
-            asked; a test solves the four corners in rationals. Springs press in the middle of the common part, so that compliant laws \
-            are asked for equal moments only.",
+            asked; a test solves the four corners in rationals. Springs press in the middle of the common part, where equal moments put \
+            the impulse, too: compliant laws are asked for those only, with 2, 4 or 8 points. With spheres at the corners there are 2.",
         source: "Newton's law at every point; Moreau's impact law of several contacts",
         run: Run::EachStep(faces::faces),
         control: Control { passes: "moreau-jean", fails: "pair/faces-bounce-in-the-middle" },
@@ -190,7 +193,8 @@ pub const CHECKS: &[Check] = &[
             11/2 · 1/m on the floor, with 1/M and 1/M + b²/J' more on the middle of a box's face, uncoupled. So p_n = (1 + e)|u_n|/W_n \
             and ‖p_t‖ = min(μ p_n, u_t/W_t), and both are turned by l × p. The corner moves along the box before the impact, by at most \
             2 h u_t from its middle. Where an impact takes a second step, the corner has turned by ω h and rises with ω² l h, twice \
-            with its coupling. Not measured: as for pair/ball-on-box.",
+            with its coupling, or for as long as it yields. Not measured: as for pair/ball-on-box, and the e of compliant corners with \
+            spheres, which touch later and may have another point beside them.",
         source: "closed form of the impact with friction at one point",
         run: Run::EachStep(corner::corner),
         control: Control { passes: "moreau-jean", fails: "pair/rough-boxes-are-plastic" },
@@ -202,7 +206,7 @@ pub const CHECKS: &[Check] = &[
         derivation: "A ball of the box's mass hits the box centrally on a floor without friction, V ≥ v/2. The rear edge passes below \
             the balls at t₀ and is V τ away after that: R − √(R² − V² τ²) ≥ ½ V² τ²/R > ½ g τ² for V² > g R, so that nothing holds them \
             and v_z = −g (t − t₀). V and t₀ are read from the box. A ball at a depth δ is free √(2 R δ)/V later; steps see the edge \
-            early or late. Bodies may not sleep, and then, if the engine declares an option for it, they may.",
+            early or late. An engine that declares an option for sleep is asked without it, after 0.3 s of rest, and with it.",
         source: "Newton; engines that wake what is hit, and not what loses its support",
         run: Run::EachStep(support::support_leaves),
         control: Control { passes: "moreau-jean", fails: "pair/wakes-only-what-is-hit" },

@@ -8,7 +8,7 @@
 
 use crate::checks::conveyor::pyramid;
 use crate::checks::incline::slide::prediction;
-use crate::checks::motion::{Sample, start_gap};
+use crate::checks::motion::{Sample, does_not_hop, pushed_to_hop, start_gap, stays_closed};
 use crate::checks::scenery::{GRAVITY, between, cuboid, over_floor};
 use crate::model::Model;
 use crate::model::sliding::hops;
@@ -47,9 +47,14 @@ fn scene(bench: &Bench, h: f64) -> Scene {
 
 /// Upper and lower plank at the end, and when that is \[s\].
 fn end(bench: &mut Bench, scene: &Scene, h: f64) -> Reply<([Sample; 2], f64)> {
-    let steps = (DURATION / h).round() as usize;
+    let steps = steps(h);
     let motion = bench.simulate(scene, h, steps, steps)?;
     Ok(([0, 1].map(|k| Sample::of(&motion.bodies[k], 1)), steps as f64 * h))
+}
+
+/// Steps of [`DURATION`].
+fn steps(h: f64) -> usize {
+    (DURATION / h).round() as usize
 }
 
 /// (‖w‖ (M/(m + M)) + μ v_n − …)/T of the upper plank, whose slip w against the lower one of mass M falls by what both feel; a plank that
@@ -65,7 +70,9 @@ fn braked(bench: &Bench, h: f64, words: &str, [upper, lower]: &[Sample; 2], (sha
     let some = || Expectation::equal(0.5 * exact, -0.5 * exact + incline::momentum(GRAVITY), "friction that landings soften, up to μ g");
     let full = || prediction(&model, (FRICTION * GRAVITY, GRAVITY), exact, 0.5 * SPEED, (h, time));
     let edged = pyramid(bench).map(|([low, high], why)| {
-        let law = between([low, high].map(|part| part * exact), incline::momentum(GRAVITY), why);
+        // friction is part · μ (g t + v_n), and μ v_n is added in full
+        let part = |part: f64| part * exact + (1.0 - part) * FRICTION * upper.velocity.z / time;
+        let law = between([low, high].map(part), incline::momentum(GRAVITY), why);
         Expectation { tolerance: law.tolerance + full().map_or(0.0, |law| law.tolerance), ..law }
     });
     let law = if softened { Some(some()) } else { edged.or_else(full) };
@@ -75,6 +82,7 @@ fn braked(bench: &Bench, h: f64, words: &str, [upper, lower]: &[Sample; 2], (sha
 
 pub(super) fn plank_on_plank(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     super::meeting::undamped(bench)?;
+    does_not_hop(bench)?;
     let (planks, time) = end(bench, &scene(bench, h), h)?;
     let aside = planks[0].velocity.cross(&along()).z.abs();
     let straight = Expectation::at_most(
@@ -83,15 +91,19 @@ pub(super) fn plank_on_plank(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement
         "friction is opposed to the slip",
     );
     let mut measured = vec![braked(bench, h, "", &planks, (1.0, time))];
-    // along a pyramid's edges friction is beside the slip
-    if pyramid(bench).is_none() {
+    // along a pyramid's edges friction is beside the slip, and where corners open the plank turns
+    if pyramid(bench).is_none() && stays_closed(bench, steps(h), LOWER[0]) {
         measured.push(Measurement::new("sideward speed of the upper plank", "m/s", aside, straight));
     }
     Ok(measured)
 }
 
-/// The same on a floor that has no friction for the lower plank, which is a pair of its own.
+/// The same on a floor that has no friction for the lower plank, which is a pair of its own; nothing where declared corrections let planks
+/// hop.
 pub(super) fn on_smooth_floor(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
+    if pushed_to_hop(bench) {
+        return Ok(Vec::new());
+    }
     let mut scene = scene(bench, h);
     scene.material.pairs = vec![PairOverride { bodies: ["ground".into(), "lower".into()], friction: Some(0.0), restitution: None }];
     let (planks, time) = end(bench, &scene, h)?;
@@ -106,4 +118,37 @@ pub(super) fn on_smooth_floor(bench: &mut Bench, h: f64) -> Reply<Vec<Measuremen
         braked(bench, h, ", on a floor without friction", &planks, (MASSES[1] / (MASSES[0] + MASSES[1]), time)),
         Measurement::new("change of momentum along the floor of both planks", "kg*m/s", kept_along, kept),
     ])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Verdict;
+    use crate::exact::{declaring_a_pyramid, refusal};
+    use nalgebra::UnitQuaternion;
+    use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
+
+    fn moving(velocity: Vector3<f64>) -> Sample {
+        Sample { position: Vector3::zeros(), rotation: UnitQuaternion::identity(), velocity, spin: Vector3::zeros() }
+    }
+
+    #[test]
+    fn a_plank_that_rises_at_either_end_of_a_pyramid_is_a_difference_and_one_beyond_it_fails() {
+        let verdict = |part: f64, rising: f64| {
+            let slip = SPEED - part * FRICTION * (GRAVITY * DURATION + rising);
+            let planks = [along() * slip + Vector3::z() * rising, Vector3::zeros()].map(moving);
+            declaring_a_pyramid(|bench| braked(bench, 0.01, "", &planks, (1.0, DURATION)).verdict())
+        };
+        for rising in [-0.2, 0.0, 0.2] {
+            assert_eq!([FRAC_1_SQRT_2, SQRT_2].map(|part| verdict(part, rising)), [Verdict::Difference; 2], "{rising}");
+            assert_eq!([0.7, 1.42].map(|part| verdict(part, rising)), [Verdict::Fail; 2], "{rising}");
+        }
+    }
+
+    #[test]
+    fn planks_that_declared_corrections_let_hop_are_not_asked() {
+        let reason = refusal("pair/plank-on-plank", 0.01, &[("error_reduction", 0.4, "1")]);
+        assert!(reason.is_some_and(|reason| reason.contains("error_reduction")));
+        assert_eq!(refusal("pair/plank-on-plank", 0.01, &[("error_reduction", 0.3, "1")]), None);
+    }
 }

@@ -6,7 +6,7 @@
 //! n = x, and friction on the second body acts along y.
 
 use crate::checks::motion::yields;
-use crate::checks::pair::compliant::{self, Approach, restitution};
+use crate::checks::pair::compliant::{self, Approach, corner_radius, restitution};
 use crate::checks::pair::friction;
 use crate::checks::pair::meeting::{DURATION, Meeting, SPEED, lasting};
 use crate::tolerance::pair as tolerance;
@@ -54,10 +54,11 @@ impl Rough<'_> {
         let most = [2.0 * mean * SPEED, still];
         let turns = [0, 1].map(|k| self.levers[k] * most[1] / self.moments[k]);
         let along = most[1] / mean + self.drift;
-        // a turning corner rises, so that no more than a second step presses it
+        // a turning corner rises, so that no more than a second step presses it, or as long as it yields
+        let presses = meeting.lasted.max(2.0 * h);
         let swing = if self.cornered { turns[0] * self.levers[0] } else { 0.0 };
         let closing = turns[1] * (2.0 * along + self.levers[1] * turns[1]);
-        let later = tolerance::later(closing, DURATION, SPEED) + tolerance::later(turns[0] * swing, 2.0 * h, SPEED);
+        let later = tolerance::later(closing, DURATION, SPEED) + tolerance::later(turns[0] * swing, presses, SPEED);
         let pressed_on = if yields(bench) { 1.0 } else { later };
         let moved = h * (2.0 * self.drift + swing) + pressed_on * DURATION * (along + swing);
         let slack = meeting.apart * across + most[0] * moved;
@@ -68,7 +69,9 @@ impl Rough<'_> {
             measured.extend(meeting.momenta(words, slack));
         }
         measured.extend(meeting.moments(words, levers, slack).into_iter().take(if on_floor { 1 } else { 2 }));
-        let point = compliant::one_point(bench, self.inverse_mass(), &self.masses, h);
+        // a sphere at the corner touches later than the corner, and may have another point beside it
+        let rounded = self.cornered && corner_radius(bench) > 0.0;
+        let point = if rounded { Vec::new() } else { compliant::one_point(bench, self.inverse_mass(), &self.masses, h) };
         measured.extend(restitution(
             bench,
             h,

@@ -7,13 +7,14 @@
 //!     a declared moment of a N at every point:   μ + a/ρ for μ
 //! ```
 
-use crate::checks::motion::{Sample, start_gap};
+use crate::checks::motion::{Sample, does_not_hop, opens_within, start_gap};
 use crate::checks::scenery::{GRAVITY, cuboid, over_floor};
 use crate::description::Friction;
 use crate::model::Model;
 use crate::model::addition::Addition;
 use crate::model::sliding::{full_slip, hops};
 use crate::model::springs::swinging;
+use crate::tolerance::rest::pushed_velocity;
 use crate::tolerance::{flight, spin as tolerance};
 use crate::{Bench, Expectation, Measurement, Refusal, Reply};
 use moreau_contact::cones::polyhedral;
@@ -69,6 +70,7 @@ pub(super) fn flat_box(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
         bench.predicts(&[Addition::TorsionalFriction]);
         bench.without_damping()?;
     }
+    does_not_hop(bench)?;
     let scenes = [("", on_the_floor(bench, h)), (", on a slab", on_a_slab(bench, h))];
     let mut measured = stopped(bench, h, scenes[0].0, &scenes[0].1)?;
     // an engine that knows one box only is judged by it
@@ -79,8 +81,22 @@ pub(super) fn flat_box(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     Ok(measured)
 }
 
+/// Refuses the check where a declared torsional friction a > ½ μ ρ stops the box in two thirds of the time, or before it is measured at
+/// `time` \[s\].
+///
+/// # Errors
+/// `unsupported` with that reason.
+fn stops_late(bench: &Bench, time: f64) -> Reply<()> {
+    let stops = stop() / (1.0 + torsion(bench) / (FRICTION * reach(0.0)));
+    if time.max(2.0 * stop() / 3.0) > stops {
+        return Err(Refusal::unsupported("the declared torsional friction stops the box before its braking is measured"));
+    }
+    Ok(())
+}
+
 fn stopped(bench: &mut Bench, h: f64, words: &str, scene: &Scene) -> Reply<Vec<Measurement>> {
     let every = (stop() / (5.0 * h)).round().max(1.0) as usize;
+    stops_late(bench, (FIFTHS[0] * every) as f64 * h)?;
     let motion = bench.simulate(scene, h, FIFTHS[1] * every, every)?;
     let [sliding, end] = FIFTHS.map(|fifths| Sample::of(&motion.bodies[0], fifths));
     let time = (FIFTHS[0] * every) as f64 * h;
@@ -96,7 +112,11 @@ fn stopped(bench: &mut Bench, h: f64, words: &str, scene: &Scene) -> Reply<Vec<M
     let still = Expectation::equal(0.0, tolerance::stopped(SPIN), "J ω₀/(μ m g ρ) is over");
     Ok(vec![
         Measurement::new(format!("(ρ (ω₀ − ω)/3 − μ v_z)/t while it slips{words}"), "m/s^2", braked, ideal).predicted(law),
-        Measurement::new(format!("spin after 9/5 of the time to stop{words}"), "rad/s", end.spin.z, still).predicted(left(bench, h)),
+        Measurement::new(format!("spin after 9/5 of the time to stop{words}"), "rad/s", end.spin.z, still).predicted(left(
+            bench,
+            FIFTHS[1] * every,
+            h,
+        )),
     ])
 }
 
@@ -146,8 +166,13 @@ fn slipping(bench: &Bench, full: f64, h: f64, (time, rising): (f64, f64)) -> Opt
     }
 }
 
-/// The spin that a law leaves whose friction is full above a slip only.
-fn left(bench: &Bench, h: f64) -> Option<Expectation> {
+/// The spin that a law leaves whose friction is full above a slip only, or whose corners open within so many steps, because what is left of
+/// their depth is taken back, and turn the box about those that stick.
+fn left(bench: &Bench, steps: usize, h: f64) -> Option<Expectation> {
+    if opens_within(bench, steps).is_some() {
+        let allowed = pushed_velocity(GRAVITY, h) / reach(0.0) + tolerance::stopped(SPIN);
+        return Some(Expectation::equal(0.0, allowed, "corners whose depth is taken back open, fall and are pushed out"));
+    }
     let description = bench.description();
     let slip = full_slip(description, FRICTION * GRAVITY, h);
     // J θ'' = −4 k ρ² θ with J = ⅓ m ρ²: the slip ρθ of a corner, which carries a quarter of the load, feels 12/m.
@@ -161,7 +186,7 @@ fn left(bench: &Bench, h: f64) -> Option<Expectation> {
 mod tests {
     use super::*;
     use crate::Verdict;
-    use crate::exact::judge_declaring;
+    use crate::exact::{judge_declaring, refusal};
     use crate::runner::SWEEP;
     use nalgebra::{UnitQuaternion, Vector3};
 
@@ -193,6 +218,32 @@ mod tests {
             assert_eq!(found, [Verdict::Difference, Verdict::Pass, Verdict::Difference, Verdict::Pass], "{h}");
             assert_eq!(declaring(h, FRICTION, &declared)[0], Verdict::Fail, "{h}");
         }
+    }
+
+    #[test]
+    fn a_box_that_would_stop_too_early_or_hop_is_not_asked() {
+        let refused = |part: f64, h: f64| refusal("spin/flat-box", h, &[("torsional_friction", part * FRICTION * reach(0.0), "m")]);
+        assert!(refused(0.51, 1e-3).is_some_and(|reason| reason.contains("torsional friction")));
+        assert_eq!(refused(0.49, 1e-3), None);
+        assert!(refused(0.49, 0.1).is_some(), "three fifths, rounded to steps, are later");
+        let pushed = |part: f64| refusal("spin/flat-box", 0.01, &[("error_reduction", part, "1")]);
+        assert!(pushed(0.35).is_some_and(|reason| reason.contains("error_reduction")));
+        assert_eq!(pushed(0.3), None);
+    }
+
+    #[test]
+    fn corners_that_open_by_declaration_may_turn_the_box_and_others_may_not() {
+        let verdict = |declared: &[(&str, f64, &str)]| {
+            let (h, rate) = (0.01, 3.0 * FRICTION * GRAVITY / reach(0.0));
+            let measured = judge_declaring("spin/flat-box", h, declared, |scene, index, _, t| {
+                let body = &scene.bodies[index];
+                let spin = if index == 1 { 0.0 } else { (SPIN - rate * t).max(0.01) };
+                (body.position, body.orientation, [0.0; 3], [0.0, 0.0, spin])
+            });
+            measured[1].verdict()
+        };
+        assert_eq!(verdict(&[]), Verdict::Fail);
+        assert_eq!(verdict(&[("error_reduction", 0.3, "1")]), Verdict::Difference);
     }
 
     #[test]

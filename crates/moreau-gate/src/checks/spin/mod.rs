@@ -49,8 +49,10 @@ pub const CHECKS: &[Check] = &[
             moment μ ρ Σ N with ρ² = a² + b². With J = ⅓ m ρ² and Σ N = m (g + v̇_z) this is ⅓ ρ (ω₀ − ω) − μ v_z = μ g t through \
             every hop. A step may take the direction of friction at either of its ends: ½ (h ω)² of it. Corner spheres of a declared \
             radius have a shorter ρ; a pyramid has between μ/√2 and √2 μ, d directions μ cos(π/d) at least. A declared torsional \
-            friction a adds a/ρ \
-            to μ beside Coulomb's cone; other laws with one are not asked. A heavier and longer slab, \
+            friction a ≤ ½ μ ρ adds a/ρ \
+            to μ beside Coulomb's cone; with more the box stops too early to be measured, and other laws with one are not asked. \
+            Corners whose depth is taken back by declaration open when nothing is left of it, and move at up to 3/2 g h; a part of more \
+            than a third lets the box hop, and is not asked. A heavier and longer slab, \
             which the floor holds, stops it as the floor does.",
         source: "Newton–Euler and Coulomb, summed over four points",
         run: Run::EachStep(flat_box::flat_box),
