@@ -74,7 +74,7 @@ mod tests {
 
     /// An engine that declares an addition, honestly or not.
     struct Declares {
-        engine: OwnEngine,
+        engine: Box<dyn Engine>,
         addition: Option<(&'static str, f64, &'static str)>,
     }
 
@@ -104,7 +104,7 @@ mod tests {
         let scheme = |_: &OwnParameters| -> moreau_exact::Result<Box<dyn Scheme>> {
             Ok(Box::new(MoreauJean { restitution: RestitutionRule::FullVector, ..MoreauJean::default() }))
         };
-        Declares { engine: OwnEngine { scheme, ..by_name("moreau-jean").expect("listed") }, addition }
+        Declares { engine: Box::new(OwnEngine { scheme, ..by_name("moreau-jean").expect("listed") }), addition }
     }
 
     #[test]
@@ -117,8 +117,17 @@ mod tests {
     }
 
     #[test]
+    fn what_sticks_longer_is_a_difference_where_it_is_declared_and_a_failure_where_not() {
+        let planted = crate::planted::find("limits/static-friction").expect("listed");
+        let sticking = |addition| Declares { engine: (planted.subject.engine)(), addition };
+        let declared = judged("limits/stick", &|| sticking(Some(("static_friction", 1.05, "1"))));
+        assert_eq!(declared.verdict, Verdict::Difference, "{declared:?}");
+        assert_eq!(judged("limits/stick", &|| sticking(None)).verdict, Verdict::Fail);
+    }
+
+    #[test]
     fn what_is_declared_and_not_done_fails_where_it_is_predicted_and_is_not_asked_elsewhere() {
-        let own = |addition| Declares { engine: by_name("moreau-jean").expect("listed"), addition: Some(addition) };
+        let own = |addition| Declares { engine: Box::new(by_name("moreau-jean").expect("listed")), addition: Some(addition) };
         let cases = [
             ("spin/drilling", ("torsional_friction", 0.01, "m"), "pair/oblique-spheres"),
             ("rolling/incline", ("rolling_friction", 0.01, "m"), "conveyor/sphere"),

@@ -103,9 +103,45 @@ fn fallen(bench: &Bench, h: f64, words: &str, [left, right, block]: &[Sample; 3]
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Verdict;
-    use crate::exact::judge_declaring;
+    use crate::exact::{Exact, RigidState, judge_declaring};
     use crate::runner::SWEEP;
+    use crate::{Description, Engine, Options, Verdict};
+
+    /// When the box of a scene is hit \[s\].
+    fn hit(scene: &Scene) -> f64 {
+        -(scene.bodies[3].position[0] + BOX[0] + RADII[0]) / SPEED
+    }
+
+    fn motion(scene: &Scene, index: usize, t: f64, [falling, carried, later]: [f64; 3]) -> RigidState {
+        let body = &scene.bodies[index];
+        let ([x, y, z], hit) = (body.position, hit(scene));
+        let (since, together) = ((t - hit).max(0.0), 0.5 * SPEED);
+        let fall = (since - BOX[0] / together - later).max(0.0) * falling;
+        let [before, after] = match index {
+            2 => [0.0, together],
+            3 => [SPEED, together],
+            _ => [0.0, together * carried],
+        };
+        let down = if index < 2 { GRAVITY * fall } else { 0.0 };
+        let place = [x + before * t.min(hit) + after * since, y, z - 0.5 * down * fall];
+        (place, body.orientation, [if t < hit { before } else { after }, 0.0, -down], [0.0; 3])
+    }
+
+    #[test]
+    fn an_engine_that_declares_sleep_is_asked_awake_after_a_short_rest_and_asleep_after_a_long_one() {
+        let falls_after_short_rests = |scene: &Scene, index: usize, _: f64, t: f64| {
+            let falling = if hit(scene) < 0.5 { 1.0 } else { 0.0 };
+            motion(scene, index, t, [falling, 0.0, 0.0])
+        };
+        let mut engine = Exact { motion: falls_after_short_rests };
+        let options = Options::new();
+        let described = engine.describe(&options).expect("describes itself");
+        let description = Description { sleeping: Some("sleep".into()), ..described };
+        let measured = support_leaves(&mut Bench::new(&mut engine, &description, &options), 1e-3).expect("answers");
+        let verdicts: Vec<Verdict> = measured.iter().map(Measurement::verdict).collect();
+        use Verdict::{Fail, Pass};
+        assert_eq!(verdicts, [Pass, Pass, Pass, Pass, Fail, Pass]);
+    }
 
     /// Box and visitor go on together; the balls fall with a part of gravity, and move with a part of the box's speed after the hit.
     fn verdict(h: f64, falling: f64, carried: f64) -> Verdict {
@@ -114,21 +150,8 @@ mod tests {
 
     /// The same of balls that are free so much later, for an engine that declares these numbers.
     fn late(h: f64, falling: f64, carried: f64, later: f64, declared: &[(&str, f64, &str)]) -> Verdict {
-        let measured = judge_declaring("pair/support-leaves", h, declared, |scene, index, _, t| {
-            let body = &scene.bodies[index];
-            let [x, y, z] = body.position;
-            let hit = REST + GAP / SPEED;
-            let (since, together) = ((t - hit).max(0.0), 0.5 * SPEED);
-            let fall = (since - BOX[0] / together - later).max(0.0) * falling;
-            let [before, after] = match index {
-                2 => [0.0, together],
-                3 => [SPEED, together],
-                _ => [0.0, together * carried],
-            };
-            let down = if index < 2 { GRAVITY * fall } else { 0.0 };
-            let place = [x + before * t.min(hit) + after * since, y, z - 0.5 * down * fall];
-            (place, body.orientation, [if t < hit { before } else { after }, 0.0, -down], [0.0; 3])
-        });
+        let measured =
+            judge_declaring("pair/support-leaves", h, declared, |scene, index, _, t| motion(scene, index, t, [falling, carried, later]));
         measured.iter().map(Measurement::verdict).max().expect("measurements")
     }
 
