@@ -40,7 +40,8 @@ pub const CHECKS: &[Check] = &[
             − 7/2 μ (g t + v_n). So rolling begins at 2 v₀/(7 μ g), and by v_n/g earlier in a model that hops within the step. There is \
             no rolling resistance, so that speed and spin do not change after that; a declared one, a moment of a p_n, takes a g \
             t/R of v₀ and \
-            5/2 a/R of 7/2 μ, under rigid laws, up to a = μ R/2, lest the sphere roll too late to be measured. A contact at the measured depth δ has a lever ℓ \
+            5/2 a/R of 7/2 μ, under rigid laws, up to a = μ R/2, lest the sphere roll too late to be measured. A contact at the \
+            measured depth δ has a lever ℓ \
             between R and R − δ, which makes v = v₀ ℓ²/(⅖R² + ℓ²). For the ideal δ is at most what a sound step makes out of rest, 3/2 \
             g h². A declared spring along the floor that friction has loaded swings the slip at up to μ g √(m W_t/k), damped as declared.",
         source: "Newton–Euler and Coulomb; Goldsmith, Impact (billiards)",
