@@ -25,15 +25,20 @@ def plus(a, s, b):
     return [x + s * y for x, y in zip(a, b)]
 
 
-def describe(request):
+def no_options(request):
     if request.get("options"):
         raise ValueError("the toy has no options")
+
+
+def describe(request):
+    no_options(request)
     return {"name": "toy", "version": "1", "precision": "double", "restitution": True,
             "friction": "none", "reports_contacts": False, "levels": ["simulate"],
             "contact_model": {"kind": "rigid", "law": "coulomb"}}
 
 
 def simulate(request):
+    no_options(request)
     scene, h, ball = request["scene"], request["time_step"], request["scene"]["bodies"][0]
     if len(scene["bodies"]) > 1 or "sphere" not in ball or any(ball.get("angular_velocity", [])):
         raise Unsupported("the toy has one ball, which does not turn")

@@ -18,12 +18,12 @@ class Toy:
     """Answers the questions of the gate: docs/protocol.md has every field."""
 
     def describe(self, options):
-        if options:
-            raise ValueError("the toy has no options")
+        self._without(options)
         return {"name": "toy", "version": "1", "precision": "double", "restitution": True, "friction": "none",
                 "reports_contacts": False, "levels": ["simulate"], "contact_model": {"kind": "rigid", "law": "coulomb"}}
 
     def simulate(self, scene, time_step, sample_every, options):
+        self._without(options)
         ball, material = scene["bodies"][0], scene["material"]
         if len(scene["bodies"]) > 1 or "sphere" not in ball or any(ball.get("angular_velocity", [])):
             raise Unsupported("the toy has one ball, which does not turn")
@@ -47,3 +47,7 @@ class Toy:
                  "orientation": [ball.get("orientation", [1, 0, 0, 0])] * count, "angular_velocity": np.zeros((count, 3))}
         return {"schema": "trajectory/1", "scene": scene, "time_step": h, "engine": {"name": "toy", "version": "1"},
                 "times": np.arange(count) * sample_every * h, "bodies": [track]}
+
+    def _without(self, options):
+        if options:
+            raise ValueError("the toy has no options")
