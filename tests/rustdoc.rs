@@ -132,7 +132,7 @@ fn pages_of_equations_are_what_their_source_says() {
         }
         let stored = std::fs::read_to_string(folder.join("page.md")).expect("a page");
         assert!(stored == made, "{name}: its page is not what source.md says; write it with MOREAU_EQUATIONS=write");
-        assert!(source.matches('$').count() % 2 == 0 && made.matches("<math").count() == made.matches("</math>").count());
+        assert!(source.matches('$').count().is_multiple_of(2) && made.matches("<math").count() == made.matches("</math>").count());
     }
 }
 
