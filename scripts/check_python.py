@@ -5,8 +5,7 @@
 
 The sdist is packed, unpacked, and the wheel (manylinux2014, abi3) built from it, so that one build shows both. The wheel goes into a fresh environment beside the package
 index's `moreau`, which is another project. There run the tests, the examples in the documentation, the types, the example project with its planted mistake, the notebook,
-and the cost of a call. A wheel that is not kept is optimised less than a user's, so that its cost of a call is an upper bound. Needs Rust, Python 3.10 or newer and the
-package registries. The seconds of each step are printed.
+and the cost of a call. Needs Rust, Python 3.10 or newer and the package registries. The seconds of each step are printed.
 """
 
 import argparse
@@ -86,7 +85,7 @@ def main() -> int:
     steps = Steps()
     with tempfile.TemporaryDirectory(prefix="moreau-python-") as name:
         work = pathlib.Path(name)
-        build(work, steps, kept=arguments.keep is not None)
+        build(work, steps)
         (wheel,) = (work / "dist").glob("*.whl")
         check_wheel(wheel)
         test(work, wheel, steps)
@@ -98,7 +97,7 @@ def main() -> int:
     return 0
 
 
-def build(work: pathlib.Path, steps: Steps, kept: bool) -> None:
+def build(work: pathlib.Path, steps: Steps) -> None:
     """The sdist, and the wheel from it."""
     python, variables = environment(work / "builders")
     steps.run("builders", [python, "-m", "pip", "install", "--quiet", *BUILDERS], env=variables)
@@ -107,9 +106,6 @@ def build(work: pathlib.Path, steps: Steps, kept: bool) -> None:
     inside = unpacked(archive, work / "sdist")
     # cargo-zigbuild finds zig by the environment's Python; what is compiled is kept from run to run
     variables |= {"CARGO_TARGET_DIR": str(ROOT / "target" / "python")}
-    if not kept:
-        # a user's is optimised; here most of the time is the compiler's
-        variables |= {"CARGO_PROFILE_RELEASE_OPT_LEVEL": "1"}
     command = [python, "-m", "maturin", "build", "--release", "--locked", "--zig", "--compatibility", "manylinux2014", "-o", work / "dist"]
     steps.run("wheel, from the sdist", command, cwd=inside, env=variables)
 
