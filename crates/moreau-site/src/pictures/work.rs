@@ -19,8 +19,8 @@ pub(super) const PICTURE: Picture = Picture {
     },
     obtained: Words {
         en: "Each iteration started from zero on every stored problem of the law that has a solution and that all of them take; an \
-            answer counts where the certificate accepts it at 1e-8.",
-        zh: "各迭代从零开始求解该定律下有解且它们都能处理的每个已存问题；证书在 1e-8 下接受的答案才计入。",
+            answer counts where `moreau certify` accepts it.",
+        zh: "各迭代从零开始求解该定律下有解且它们都能处理的每个已存问题；`moreau certify` 接受的答案才计入。",
     },
     command: "moreau report --out report",
     claims: &["S6.pgs-sublinear", "S5.rates", "R8"],
