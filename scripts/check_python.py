@@ -19,6 +19,7 @@ import tempfile
 import time
 import venv
 import zipfile
+from concurrent.futures import ThreadPoolExecutor
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CRATE = ROOT / "crates" / "moreau-python"
@@ -30,6 +31,7 @@ class Steps:
     """Prints what is done and how long it took."""
 
     def __init__(self) -> None:
+        self.begin = time.monotonic()
         self.taken: list[tuple[str, float]] = []
 
     def run(self, name: str, *commands: list, **options) -> None:
@@ -44,14 +46,16 @@ class Steps:
     def show(self) -> None:
         for name, seconds in self.taken:
             print(f"{seconds:7.1f} s  {name}")
-        print(f"{sum(seconds for _, seconds in self.taken):7.1f} s  together")
+        print(f"{time.monotonic() - self.begin:7.1f} s  from beginning to end")
 
 
-def environment(folder: pathlib.Path) -> tuple[pathlib.Path, dict[str, str]]:
-    """A fresh environment: its Python, and the variables under which its commands are found first."""
+def environment(folder: pathlib.Path, packages: list[str]) -> tuple[pathlib.Path, dict[str, str]]:
+    """A fresh environment with these packages: its Python, and the variables under which its commands are found first."""
     venv.create(folder, with_pip=True)
     places = f"{folder / 'bin'}{os.pathsep}{os.environ['PATH']}"
-    return folder / "bin" / "python", {**os.environ, "PATH": places, "PIP_DISABLE_PIP_VERSION_CHECK": "1", "VIRTUAL_ENV": str(folder)}
+    python, variables = folder / "bin" / "python", {**os.environ, "PATH": places, "PIP_DISABLE_PIP_VERSION_CHECK": "1", "VIRTUAL_ENV": str(folder)}
+    subprocess.run([python, "-m", "pip", "install", "--quiet", *packages], check=True, env=variables)
+    return python, variables
 
 
 def unpacked(archive: pathlib.Path, folder: pathlib.Path) -> pathlib.Path:
@@ -83,12 +87,14 @@ def main() -> int:
     parser.add_argument("--keep", type=pathlib.Path, metavar="FOLDER", help="copy wheel and sdist into this folder")
     arguments = parser.parse_args()
     steps = Steps()
-    with tempfile.TemporaryDirectory(prefix="moreau-python-") as name:
+    with tempfile.TemporaryDirectory(prefix="moreau-python-") as name, ThreadPoolExecutor() as beside:
         work = pathlib.Path(name)
+        # fetched while the compiler works
+        testers = beside.submit(environment, work / "testers", TESTERS)
         build(work, steps)
         (wheel,) = (work / "dist").glob("*.whl")
         check_wheel(wheel)
-        test(work, wheel, steps)
+        test(work, wheel, testers.result(), steps)
         if arguments.keep:
             arguments.keep.mkdir(parents=True, exist_ok=True)
             for archive in (work / "dist").iterdir():
@@ -99,8 +105,7 @@ def main() -> int:
 
 def build(work: pathlib.Path, steps: Steps) -> None:
     """The sdist, and the wheel from it."""
-    python, variables = environment(work / "builders")
-    steps.run("builders", [python, "-m", "pip", "install", "--quiet", *BUILDERS], env=variables)
+    python, variables = environment(work / "builders", BUILDERS)
     steps.run("sdist", [python, "-m", "maturin", "sdist", "-m", CRATE / "Cargo.toml", "-o", work / "dist"], env=variables)
     (archive,) = (work / "dist").glob("*.tar.gz")
     inside = unpacked(archive, work / "sdist")
@@ -110,12 +115,12 @@ def build(work: pathlib.Path, steps: Steps) -> None:
     steps.run("wheel, from the sdist", command, cwd=inside, env=variables)
 
 
-def test(work: pathlib.Path, wheel: pathlib.Path, steps: Steps) -> None:
-    """Everything that is told of the package, in an environment that has only the wheel."""
-    python, variables = environment(work / "testers")
+def test(work: pathlib.Path, wheel: pathlib.Path, testers: tuple[pathlib.Path, dict[str, str]], steps: Steps) -> None:
+    """Everything that is told of the package, in an environment that has only the wheel and what tests it."""
+    python, variables = testers
     away = work / "away"
     away.mkdir()
-    steps.run("a fresh environment, beside the package index's moreau", [python, "-m", "pip", "install", "--quiet", wheel, *TESTERS], env=variables)
+    steps.run("a fresh environment, beside the package index's moreau", [python, "-m", "pip", "install", "--quiet", wheel], env=variables)
     both = "import moreau, moreau_contact; assert moreau.__file__ != moreau_contact.__file__; print(moreau_contact.__version__)"
     steps.run("both packages", [python, "-c", both], [work / "testers" / "bin" / "moreau", "--version"], cwd=away, env=variables)
     quiet = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider"]
