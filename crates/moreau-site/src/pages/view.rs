@@ -1,7 +1,7 @@
 //! A page in one language: its fixed texts, its links, and which words on it are of the other language.
 
 use super::data::{ClaimEntry, Report};
-use super::prose::prose;
+use super::prose::{breakable, prose};
 use crate::words::{Language, Words};
 use maud::{Markup, html};
 use moreau_checks::text::with_code;
@@ -58,8 +58,8 @@ impl View<'_> {
     /// What a claim is about, for lists: on a Chinese page the beginning of the Chinese sentence where there is one.
     pub fn title(&self, claim: &ClaimEntry) -> Markup {
         match (&claim.erratum, self.language) {
-            (Some(erratum), Language::Chinese) => self.chinese(&beginning(&erratum.says)),
-            _ => self.english(&claim.title),
+            (Some(erratum), Language::Chinese) => self.chinese(&breakable(&beginning(&erratum.says))),
+            _ => self.english(&breakable(&claim.title)),
         }
     }
 
