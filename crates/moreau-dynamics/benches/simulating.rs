@@ -1,15 +1,15 @@
 //! What a simulation costs: steps per second, allocations per step after warm-up, memory, and the share of the certificates.
 //!
-//! `cargo bench --bench simulating` runs all scenes, `cargo bench --bench simulating -- stack` those whose name has the word. The share of
+//! `cargo bench -p moreau-dynamics --bench simulating` runs all scenes, `cargo bench --bench simulating -- stack` those whose name has the word. The share of
 //! the certificates is the time of judging every answer once more over the time of the same run, so that a busy machine changes it little.
 //! It fails if a step allocates more often than docs/benchmarks/simulating.md promises of its scene.
 //! Live memory is what the allocator has given out and not got back, measured at the end of each step while its parts are still held.
 
-use moreau::certificate::Judge;
-use moreau::problem::{ContactProblem, Solution};
-use moreau::scenes::Scene;
-use moreau::schemes::{Certified, MoreauJean, run_certified};
-use moreau::solvers::{Auto, ContactSolver};
+use moreau_contact::certificate::Judge;
+use moreau_contact::problem::{ContactProblem, Solution};
+use moreau_contact::solvers::{Auto, ContactSolver};
+use moreau_dynamics::scenes::Scene;
+use moreau_dynamics::schemes::{Certified, MoreauJean, run_certified};
 use nalgebra::DVector;
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 use std::alloc::System;
@@ -29,11 +29,11 @@ impl ContactSolver for Timed {
         "auto"
     }
 
-    fn takes(&self, _law: moreau::Law, _rows: usize, _symmetric: bool) -> bool {
+    fn takes(&self, _law: moreau_contact::problem::Law, _rows: usize, _symmetric: bool) -> bool {
         true
     }
 
-    fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> moreau::Result<Solution> {
+    fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> moreau_exact::Result<Solution> {
         let begun = Instant::now();
         let solution = Auto.solve(problem, warm_start)?;
         let solved = begun.elapsed();

@@ -1,12 +1,12 @@
 //! What certifying every step costs: the time of the certificates over the time of the whole simulation.
 //!
-//! `cargo bench --bench certifying`; the shares are of one run, so that a busy machine changes them little.
+//! `cargo bench -p moreau-dynamics --bench certifying`; the shares are of one run, so that a busy machine changes them little.
 
-use moreau::certificate::Judge;
-use moreau::problem::{ContactProblem, Solution};
-use moreau::scenes::Scene;
-use moreau::schemes::{MoreauJean, simulate};
-use moreau::solvers::{Auto, ContactSolver};
+use moreau_contact::certificate::Judge;
+use moreau_contact::problem::{ContactProblem, Solution};
+use moreau_contact::solvers::{Auto, ContactSolver};
+use moreau_dynamics::scenes::Scene;
+use moreau_dynamics::schemes::{MoreauJean, simulate};
 use nalgebra::DVector;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
@@ -20,11 +20,11 @@ impl ContactSolver for Kept {
         "auto"
     }
 
-    fn takes(&self, _law: moreau::Law, _rows: usize, _symmetric: bool) -> bool {
+    fn takes(&self, _law: moreau_contact::problem::Law, _rows: usize, _symmetric: bool) -> bool {
         true
     }
 
-    fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> moreau::Result<Solution> {
+    fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> moreau_exact::Result<Solution> {
         let solution = Auto.solve(problem, warm_start)?;
         self.0.lock().expect("no other thread panics").push((problem.clone(), solution.clone()));
         Ok(solution)
