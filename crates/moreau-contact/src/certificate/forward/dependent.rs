@@ -7,8 +7,8 @@
 //! equations of D follow from those of B. Compliant rows are independent of all others: in M̂ and H each has a column of its own.
 
 use super::pattern::{Contact, ContactState, pressed_rows};
-use super::planted::{Plant, planted};
 use super::reason::Reason;
+use crate::certificate::planted::{Plant, planted};
 use crate::certificate::rank::{Entry, rank, surely_independent};
 use crate::problem::ContactProblem;
 use crate::tolerance::proof::dependent_pivot;

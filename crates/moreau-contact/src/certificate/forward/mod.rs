@@ -18,12 +18,12 @@ mod dependent;
 mod krawczyk;
 mod mechanism;
 mod pattern;
-mod planted;
 mod reason;
 #[cfg(test)]
 mod tests;
 
 use super::interval::Interval;
+use super::planted::{Plant, planted};
 use crate::problem::{ContactProblem, Coordinates, Law, Solution};
 use crate::tolerance::proof::{PATTERNS, ROWS, enlarged};
 use affine::Affine;
@@ -34,7 +34,6 @@ pub(super) use mechanism::uncertainty;
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
 use pattern::{Contact, of, pressed_rows, read_off};
-use planted::{Plant, planted};
 
 pub use pattern::ContactState;
 pub use reason::Reason;
