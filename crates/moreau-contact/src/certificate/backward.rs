@@ -3,15 +3,16 @@
 //! ```text
 //!     (r′, y′) in the law, in rationals;      y′ = (W + R) r′ + u_free + shift + δ ,      δ_k [m/s] per contact
 //! ```
-//! r′ and y′ are made of the answer, contact by contact, such that the law holds in rationals, without rounding: an open contact has
-//! r′ = 0; a sticking one y′ = 0 and r′ inside of the cone; a sliding one lies on the cone with r_t′ = −μ r_n′ t and y_t′ = s t, t a
-//! rational point of the unit circle, ((1 − m²), 2m)/(1 + m²); under a polyhedral law the pair stands on a face of its cone
-//! (`polyhedral_pair`). δ then follows exactly from the numbers of the problem. What is returned are its sizes, rounded outward. So the answer r, up to |r′ − r|, solves the problem whose u_free differs by at most δ_k at
-//! contact k; whether the problem itself has a solution near r is another question.
+//! r′ and y′ are made of the answer, contact by contact, such that the law holds in rationals, without rounding: an open contact has r′ =
+//! 0; a sticking one y′ = 0 and r′ inside of the cone; a sliding one lies on the cone with r_t′ = −μ r_n′ t and y_t′ = s t, t a rational
+//! point of the unit circle, ((1 − m²), 2m)/(1 + m²); under a polyhedral law the pair stands on a face of its cone (`polyhedral_pair`). δ
+//! then follows exactly from the numbers of the problem. What is returned are its sizes, rounded outward. So the answer r, up to |r′ − r|,
+//! solves the problem whose u_free differs by at most δ_k at contact k; whether the problem itself has a solution near r is another
+//! question.
 
 use super::planted::{Plant, planted};
 use super::polyhedral_pair::{Faceted, Polygon};
-use crate::problem::{Compliance, ContactProblem, Coordinates, Law};
+use crate::problem::{ByRows, Compliance, ContactProblem, Coordinates, Law};
 use moreau_exact::scalar::{Rational, Scalar, exact};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -36,6 +37,8 @@ pub enum HeldAs {
     Sticking,
     /// An impulse on the boundary of the cone against the slip.
     Sliding,
+    /// A bilateral constraint: any impulse, and no velocity.
+    Joined,
 }
 
 impl Backward {
@@ -53,7 +56,8 @@ impl Backward {
 /// Proves the backward error of impulses r.
 ///
 /// # Errors
-/// [`Error::Unsupported`] where a contact has hard edges beside soft ones; [`Error::Invalid`] if r has another size or a number that is not finite.
+/// [`Error::Unsupported`] where a contact has hard edges beside soft ones; [`Error::Invalid`] if r has another size or a number that is not
+/// finite.
 /// ```
 /// use moreau_contact::certificate::backward::{HeldAs, backward};
 /// use moreau_contact::nalgebra::{DMatrix, dvector};
@@ -66,6 +70,11 @@ impl Backward {
 /// # Ok::<(), moreau_contact::Error>(())
 /// ```
 pub fn backward(problem: &ContactProblem, impulse: &DVector<f64>) -> Result<Backward> {
+    of_rows(problem, impulse, None)
+}
+
+/// The same of a problem whose contacts may stand for bilateral rows.
+pub(super) fn of_rows(problem: &ContactProblem, impulse: &DVector<f64>, joints: Option<&ByRows>) -> Result<Backward> {
     if impulse.len() != problem.rows() || impulse.iter().any(|r| !r.is_finite()) {
         return Err(Error::invalid("impulse", format!("is not {} finite numbers", problem.rows()), "give one number per row"));
     }
@@ -79,6 +88,7 @@ pub fn backward(problem: &ContactProblem, impulse: &DVector<f64>) -> Result<Back
     let contact = |k: usize| {
         let [r, y] = [impulse, &velocity].map(|all| &all.as_slice()[k * rows..(k + 1) * rows]);
         match &polygon {
+            _ if joints.is_some_and(|joints| joints.is_joined(k) && !planted(Plant::Joined)) => Ok(Near::joined(r)),
             Some(polygon) => on_faces(problem, polygon, k, r, y),
             None => Ok(near(problem, k, r, y)),
         }
@@ -87,7 +97,7 @@ pub fn backward(problem: &ContactProblem, impulse: &DVector<f64>) -> Result<Back
     let given: Vec<Rational> = impulse.iter().map(|r| exact(*r)).collect();
     let obeying: Vec<Rational> = near.iter().flat_map(|near| near.impulse.clone()).collect();
     let moved = moved(problem, if planted(Plant::Moved) { &given } else { &obeying });
-    let size = |differences: &[Rational]| outward(differences.iter().map(|d| d.clone() * d.clone()).fold(Rational::ZERO, |a, b| a + b));
+    let size = |differences: &[Rational]| outward(squares(differences.iter().cloned()));
     let at = |k: usize| k * rows..(k + 1) * rows;
     Ok(Backward {
         velocity: (0..near.len()).map(|k| size(&differences(&near[k].velocity, &moved[at(k)]))).collect(),
@@ -101,6 +111,28 @@ struct Near {
     impulse: Vec<Rational>,
     velocity: Vec<Rational>,
     state: HeldAs,
+}
+
+impl Near {
+    /// The impulse of a bilateral row as it is, beside which no row has one, and no velocity.
+    fn joined(r: &[f64]) -> Self {
+        let impulse = r.iter().enumerate().map(|(i, r)| exact(if i == 0 { *r } else { 0.0 })).collect();
+        Near { impulse, velocity: vec![Rational::ZERO; r.len()], state: HeldAs::Joined }
+    }
+}
+
+fn squares(numbers: impl Iterator<Item = Rational>) -> Rational {
+    numbers.fold(Rational::ZERO, |sum, x| sum + x.clone() * x)
+}
+
+/// √Σ x², rounded outward; infinite if a number is.
+pub(super) fn length(numbers: impl Iterator<Item = f64>) -> f64 {
+    let numbers: Vec<f64> = numbers.collect();
+    match numbers[..] {
+        [one] => one,
+        _ if numbers.iter().all(|x| x.is_finite()) => outward(squares(numbers.into_iter().map(exact))),
+        _ => f64::INFINITY,
+    }
 }
 
 fn differences(one: &[Rational], other: &[Rational]) -> Vec<Rational> {

@@ -18,6 +18,7 @@ mod groups;
 pub mod impulse_set;
 pub mod infeasible;
 pub mod interval;
+pub mod jointed_proof;
 pub mod joints;
 mod judge;
 pub mod lcp;

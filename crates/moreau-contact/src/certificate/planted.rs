@@ -21,6 +21,8 @@ pub(super) enum Plant {
     Moved,
     /// δ is rounded inward.
     Inward,
+    /// A bilateral row is taken for a limit.
+    Joined,
 }
 
 /// Whether this mistake is made: never outside of tests.

@@ -21,7 +21,7 @@ impl Draw {
     }
 }
 
-const MU: f64 = 0.75;
+const MU: f64 = 0.5;
 
 /// The law as a complementarity problem 0 ≤ z ⟂ w ≥ 0 of (λ, β, σ), or of f, in fractions: another way to say it than that of the proof.
 fn obeys(associated: bool, mu: f64, softness: Option<&[f64]>, pair: &Pair) -> bool {
@@ -130,7 +130,34 @@ fn contradicted() -> usize {
             }
         }
     }
-    found + usize::from(rounds_inward())
+    found + [rounds_inward(), rubs_across(), takes_a_pull()].into_iter().filter(|wrong| *wrong).count()
+}
+
+/// Whether it is believed that a block that slides along one direction of a square is rubbed along another one.
+fn rubs_across() -> bool {
+    let block = ContactProblem::new(DMatrix::identity(3, 3), dvector![-1.0, 2.0, 0.0]).friction(vec![0.5]);
+    let block = block.law(Law::PolyhedralCoulomb { directions: 4 }).build().unwrap();
+    // (1, −½, 0) is the only solution
+    let proof = backward(&block, &dvector![1.0, 0.0, -0.5]).unwrap();
+    3.0 * proof.velocity[0] + proof.impulse[0] < 0.5_f64.sqrt() - roundings(MANY)
+}
+
+/// Whether it is believed that one contact stops 3 N·s while the other one pulls 4 N·s, which moves the first by 2 m/s: r = (0, 1) is the
+/// only solution, W ⪰ ½.
+fn takes_a_pull() -> bool {
+    let w = DMatrix::from_fn(4, 4, |i, j| {
+        if i == j {
+            1.0
+        } else if i % 2 == 0 && j % 2 == 0 {
+            0.5
+        } else {
+            0.0
+        }
+    });
+    let problem = ContactProblem::new(w, dvector![2.5, 0.0, -1.0, 0.0]).law(Law::PolyhedralAssociated { directions: 2 });
+    let problem = problem.rows_per_contact(2).friction(vec![MU; 2]).build().unwrap();
+    let proof = backward(&problem, &dvector![-4.0, 0.0, 3.0, 0.0]).unwrap();
+    proof.impulse[1] + 2.0 * proof.velocity.iter().map(|x| x * x).sum::<f64>().sqrt() < 2.0
 }
 
 /// Whether a size that is no number is rounded inward: without impulse two velocities of a contact add up to what is missing.
