@@ -4,6 +4,7 @@
 //!     contact, limit   (r′, y′) in the law            bilateral   y′ = 0 ,  r′ = r
 //!     y′ = (W + R) r′ + u_free + shift + δ            backward: δ in fractions, rounded outward
 //!     y_b = 0 among the equations                     forward: the impulses of the joints are enclosed with those of the contacts
+//!     (Aᵀp)_b = 0 ,  p_b of any sign                  no solution: p·y = 0 at the joints, A = W + R
 //! ```
 //! Nothing is eliminated: the proofs are of W as the problem stores it. Two solutions have y_b = y_b′ = 0, so that the joints add nothing
 //! to (r − r′)·(y − y′), by which uniqueness is decided. Counting all solutions is not carried over.
@@ -11,6 +12,7 @@
 use super::backward::{self, Backward, HeldAs};
 use super::forward::{self, ContactState, Forward, Radius, Reason};
 use super::impulse_set::{ImpulseSet, impulse_set};
+use super::infeasible::{self, Infeasible};
 use super::uniqueness::{Uniqueness, uniqueness};
 use crate::problem::{ByRows, JointedProblem, Solution};
 use crate::tolerance::proof::enlarged;
@@ -110,6 +112,30 @@ fn by_constraint(problem: &JointedProblem, rows: &ByRows, radius: &Radius) -> Ra
         states: all.map(|k| rows.parts(k).next().map_or(ContactState::Joined, |i| radius.states[i])).collect(),
         dependent: radius.dependent.iter().filter_map(|row| rows.row(*row)).collect(),
     }
+}
+
+/// A witness that the problem has no solution, one number per row of all; none if the search finds none.
+///
+/// # Errors
+/// [`Error::Invalid`] if the proof takes more memory than is allowed.
+/// ```
+/// use moreau_contact::certificate::jointed_proof::infeasible_jointed;
+/// use moreau_contact::nalgebra::{dmatrix, dvector};
+/// use moreau_contact::problem::{ConstraintKind, JointedProblem};
+///
+/// // one rod twice, and two velocities along it
+/// let rods = |other: f64| {
+///     JointedProblem::new(1, vec![ConstraintKind::Bilateral { rows: 1 }; 2], dmatrix![1.0, 1.0; 1.0, 1.0], dvector![-1.0, other])
+/// };
+/// assert!(infeasible_jointed(&rods(-1.0)?)?.is_none());
+/// assert!(infeasible_jointed(&rods(-1.5)?)?.is_some());
+/// # Ok::<(), moreau_contact::Error>(())
+/// ```
+pub fn infeasible_jointed(problem: &JointedProblem) -> Result<Option<Infeasible>> {
+    let rows = ByRows::new(problem)?;
+    let joined: Vec<bool> = (0..rows.contacts().contacts()).map(|i| rows.is_joined(i)).collect();
+    let found = infeasible::of_rows(rows.contacts(), &joined);
+    Ok(found.map(|found| Infeasible { witness: DVector::from_vec(rows.gather(found.witness.as_slice())), ..found }))
 }
 
 /// Whether all solutions have the same velocities.

@@ -4,6 +4,7 @@ use super::*;
 use crate::certificate::planted::{Plant, with};
 use crate::problem::{ConstraintKind, Law};
 use crate::tolerance::sharpness::{EXCESS, FAR, MANY, NEAR, roundings};
+use moreau_exact::scalar::{Rational, exact};
 use nalgebra::{DMatrix, dmatrix, dvector};
 
 /// Whole numbers from a linear congruence.
@@ -220,6 +221,50 @@ fn two_solutions_with_different_velocities_are_never_called_unique() {
     assert!(matches!(uniqueness_jointed(&problem).unwrap(), Uniqueness::Unknown(_)));
     let tame = JointedProblem::new(1, kinds, dmatrix![2.0, 1.0; 1.0, 2.0], dvector![3.0, 0.0]).unwrap();
     assert!(matches!(uniqueness_jointed(&tame.law(Law::Frictionless, vec![0.0; 2]).unwrap()).unwrap(), Uniqueness::Solution(_)));
+}
+
+/// A witness of a problem with joints, held against W and q themselves.
+fn refuted(problem: &JointedProblem) -> bool {
+    let Some(found) = infeasible_jointed(problem).unwrap() else { return false };
+    let p = &found.witness;
+    let sum = |terms: &dyn Fn(usize) -> Rational| (0..problem.rows()).fold(Rational::ZERO, |sum, row| sum + &p[row] * terms(row));
+    assert_eq!(p.len(), problem.rows());
+    assert!(sum(&|row| exact(problem.free_velocity()[row]) + exact(problem.shifts()[row])) < Rational::ZERO);
+    for k in 0..problem.kinds().len() {
+        let rows = problem.rows_of(k);
+        let moved = |column: usize| sum(&|row| exact(problem.delassus()[(row, column)])) + exact(problem.softnesses()[column]) * &p[column];
+        match problem.kinds()[k] {
+            ConstraintKind::Bilateral { .. } => assert!(rows.into_iter().all(|row| moved(row).is_zero())),
+            _ => {
+                assert!(p[rows.start] >= Rational::ZERO && moved(rows.start) <= Rational::ZERO);
+                assert!(rows.skip(1).all(|row| p[row].is_zero()));
+            }
+        }
+    }
+    true
+}
+
+#[test]
+fn what_has_a_solution_is_never_refuted_and_what_contradicts_itself_is() {
+    for law in [Law::Frictionless, Law::Coulomb, Law::Associated] {
+        assert!((0..10).all(|seed| !refuted(&known(law, seed).0)), "{law:?}");
+    }
+    for count in [2, 5, 30] {
+        let mut velocities = vec![-1.0; count];
+        assert!(!refuted(&rods(&velocities)));
+        // rounded numbers propose the witness of many
+        velocities[count - 1] = -1.0 - if count > 12 { 2.0_f64.powi(-20) } else { f64::EPSILON };
+        assert!(refuted(&rods(&velocities)), "{count} rods");
+        let soft = rods(&velocities).softness(DVector::from_element(count, 0.5)).unwrap();
+        assert!(!refuted(&soft), "soft ones give way");
+    }
+    // a rod along the normal of a wall holds the body where the wall is: a limit in its place would let it go
+    let held = |kind: ConstraintKind, speed: f64| {
+        let kinds = vec![ConstraintKind::Contact, kind];
+        JointedProblem::new(1, kinds, dmatrix![1.0, 1.0; 1.0, 1.0], dvector![speed, 0.0]).unwrap()
+    };
+    let rod = ConstraintKind::Bilateral { rows: 1 };
+    assert!(refuted(&held(rod, -1.0)) && !refuted(&held(rod, 1.0)) && !refuted(&held(ConstraintKind::Limit, -1.0)));
 }
 
 #[test]

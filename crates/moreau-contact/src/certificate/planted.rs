@@ -23,6 +23,8 @@ pub(super) enum Plant {
     Inward,
     /// A bilateral row is taken for a limit.
     Joined,
+    /// Impulses of joints in a witness may move the joints.
+    Held,
 }
 
 /// Whether this mistake is made: never outside of tests.
