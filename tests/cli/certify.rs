@@ -246,7 +246,7 @@ fn several_velocities_are_counted_by_disjoint_enclosures_and_one_is_not() {
 
 #[test]
 fn an_lcp_has_no_units_and_a_problem_may_have_no_name() {
-    let folder = Folder::new("certify-lcp");
+    let folder = Folder::new("certify-units");
     let lcp = folder.file("lcp.json", r#"{"schema": "lcp/1", "matrix": {"shape": [2, 2], "rows": [[2, 1], [0, 1]]}, "vector": [-1, 2]}"#);
     let answer = folder.file("answer.json", r#"{"schema": "solution/1", "impulse": [0.5, 0]}"#);
     for more in [&[][..], &["--prove"]] {
