@@ -9,10 +9,11 @@ use super::{Answer, Format, posed, progress};
 use crate::certificate::backward::backward;
 use crate::certificate::forward::{Forward, forward};
 use crate::certificate::impulse_set::impulse_set;
+use crate::certificate::jointed_proof::{NearJointed, backward_jointed, forward_jointed};
 use crate::certificate::lcp_proof::{Count, count_with, lcp_of, prove};
 use crate::certificate::polyhedral_proof::prove_polyhedral;
 use crate::certificate::residuals;
-use crate::problem::{ContactProblem, Law, Lcp, Posed, Solution};
+use crate::problem::{ContactProblem, JointedProblem, Law, Lcp, Posed, Solution};
 use crate::problems::from_several_starts;
 use crate::report::certificate::Certificate;
 use crate::report::json::pretty;
@@ -42,10 +43,9 @@ pub struct Arguments {
     /// Prove, in fractions, how far the nearest problem is that impulses near these solve exactly; and by intervals, within which radius
     /// the problem itself has a solution, or why that is not proved, and how many dimensions the impulses with its velocity have; whether
     /// velocities are unique; whether there is no solution at all; how many velocities there are, to six contacts in the plane and three in
-    /// space.
-    /// Of polyhedral friction, how far a solution of its complementarity problem is. Of a linear complementarity problem, moreover: how far
-    /// a solution is, and how many there are; without an answer, the latter alone. Of a problem with joints nothing is proved: it has the
-    /// ordinary verdict.
+    /// space. Of polyhedral friction, in place of the radius, how far a solution of its complementarity problem is. Of a linear
+    /// complementarity problem, moreover: how far a solution is, and how many there are; without an answer, the latter alone. Of a problem
+    /// with joints, all of this but the number of velocities; beside polyhedral contacts no radius.
     #[arg(long)]
     prove: bool,
     #[command(flatten)]
@@ -90,7 +90,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
 fn judged(arguments: &Arguments, posed: &Posed) -> Result<(String, bool)> {
     let problem = match posed {
         Posed::Contacts(problem) => problem,
-        Posed::Jointed(_) => return jointed(arguments, posed),
+        Posed::Jointed(problem) => return jointed(arguments, posed, problem),
     };
     let lcp = arguments.prove.then(|| lcp_of(problem)).flatten();
     if let (Some(lcp), None) = (&lcp, &arguments.solution) {
@@ -138,12 +138,23 @@ fn judged(arguments: &Arguments, posed: &Posed) -> Result<(String, bool)> {
 }
 
 /// The certificate of an answer with joints.
-fn jointed(arguments: &Arguments, posed: &Posed) -> Result<(String, bool)> {
+fn jointed(arguments: &Arguments, posed: &Posed, problem: &JointedProblem) -> Result<(String, bool)> {
     let (file, solution) = read_answer(arguments, posed)?;
     let residuals = posed::judge(posed, &solution).map_err(|error| error.in_file(file))?;
     let mut certificate = posed::certificate(posed, &solution, residuals, arguments.tolerance);
     if arguments.prove {
-        certificate = certificate.without_proof("proofs are of contacts alone, and this problem has joints".into());
+        certificate = match backward_jointed(problem, &solution.impulse) {
+            Ok(proof) => certificate.with_proof(&proof),
+            Err(Error::Unsupported(reason)) => certificate.without_proof(reason),
+            Err(error) => return Err(error.in_file(file)),
+        };
+        let NearJointed { near, impulses } = forward_jointed(problem, &solution).map_err(|error| error.in_file(file))?;
+        certificate = certificate.with_solution_near(&near, impulses);
+        let exists = certificate.is_near_a_solution();
+        certificate = certificate.with_proofs(Proofs::of_jointed(problem, exists)?);
+    }
+    if certificate.accepts() && !arguments.prove && posed::is_doubtful(&residuals) {
+        certificate = certificate.with_no_solution(posed::refuted(posed));
     }
     show(&certificate, arguments.common.format)
 }

@@ -6,7 +6,7 @@ use crate::certificate::patterns::solutions;
 use crate::certificate::residuals;
 use crate::problem::{ContactProblem, Posed, Solution};
 use crate::report::certificate::Certificate;
-use crate::report::proofs::no_solution;
+use crate::report::proofs::{no_solution, no_solution_jointed};
 use crate::solvers::{self, ContactSolver, WithoutJoints, solve_jointed};
 use crate::tolerance::proof::LOADED;
 use crate::{Error, Result, memory};
@@ -110,11 +110,11 @@ pub fn is_doubtful(residuals: &JointedResiduals) -> bool {
     residuals.contacts.judged.loaded > LOADED
 }
 
-/// That there is no solution, where that is proved; nothing is proved of joints.
+/// That there is no solution, where that is proved.
 pub fn refuted(posed: &Posed) -> Option<String> {
     match posed {
         Posed::Contacts(problem) => no_solution(problem),
-        Posed::Jointed(_) => None,
+        Posed::Jointed(problem) => no_solution_jointed(problem),
     }
 }
 
@@ -123,6 +123,6 @@ pub fn has_none(posed: &Posed) -> bool {
     let by_patterns = |problem: &ContactProblem| solutions(problem).is_ok_and(|all| all.found.is_empty() && all.continuum.is_none());
     match posed {
         Posed::Contacts(problem) => refuted(posed).is_some() || by_patterns(problem),
-        Posed::Jointed(_) => false,
+        Posed::Jointed(_) => refuted(posed).is_some(),
     }
 }

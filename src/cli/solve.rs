@@ -12,6 +12,7 @@ use crate::files::write_atomically;
 use crate::problem::{Posed, Solution};
 use crate::report::certificate::Ending;
 use crate::report::json::pretty;
+use crate::report::no_answer::NoAnswer;
 use crate::solvers::{least_norm, watch::watched};
 use crate::tolerance::certificate::CERTIFY;
 use crate::{Error, Result};
@@ -97,7 +98,8 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let solution = match answer.map_err(|error| error.in_file(place)) {
         Ok(solution) => solution,
         Err(error) => {
-            let proof = posed::refuted(&problem);
+            // what is refused as it stands has its own message
+            let proof = NoAnswer::of(&error).and_then(|_| posed::refuted(&problem));
             if arguments.common.format == Format::Json {
                 return no_answer(error, proof, arguments.out.is_none());
             }

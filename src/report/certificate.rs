@@ -252,6 +252,7 @@ impl<'a> Certificate<'a> {
             HeldAs::Open => "open",
             HeldAs::Sticking => "sticking",
             HeldAs::Sliding => "sliding",
+            HeldAs::Joined => "held",
         };
         let (contact, velocity) = proof.worst().map_or((None, 0.0), |(contact, velocity)| (Some(contact), velocity));
         let states = proof.states.iter().map(word).collect();
@@ -319,17 +320,17 @@ impl<'a> Certificate<'a> {
         if let Some(proof) = &self.backward {
             let [velocity, impulse] =
                 [(proof.velocity, "m/s"), (proof.impulse, "N·s")].map(|(number, unit)| with_unit(&above(number), self.unit(unit)));
-            let place = proof.contact.map_or(String::new(), |contact| format!(" (contact {contact})"));
+            let at = proof.contact.map_or(String::new(), |contact| format!(" ({place} {contact})"));
             line(format!(
-                "proved in fractions: impulses that differ by at most {impulse} at a contact solve exactly the problem whose free"
+                "proved in fractions: impulses that differ by at most {impulse} at a {place} solve exactly the problem whose free"
             ));
-            line(format!("  velocity differs by at most {velocity} at a contact{place}"));
+            line(format!("  velocity differs by at most {velocity} at a {place}{at}"));
         }
         if let Some(reason) = &self.backward_reason {
             line(format!("no backward error is proved: {}", reason.trim_start_matches("not proved: ")));
         }
         if let Some(near) = &self.forward {
-            near.lines(["m/s", "N·s"].map(|unit| self.unit(unit))).into_iter().for_each(&mut line);
+            near.lines(place, ["m/s", "N·s"].map(|unit| self.unit(unit))).into_iter().for_each(&mut line);
         }
         for said in self.lcp.iter().flat_map(|lcp| lcp.lines(["N·s", "m/s"].map(|unit| self.unit(unit)))) {
             line(said);
@@ -366,6 +367,7 @@ impl Bounds {
             ContactState::Sticking => "sticking",
             ContactState::Sliding => "sliding",
             ContactState::Undecided => "on a border",
+            ContactState::Joined => "held",
         };
         Bounds {
             velocity: radius.worst().map_or(0.0, |(_, velocity)| velocity),
@@ -379,16 +381,15 @@ impl Bounds {
 }
 
 impl Near {
-    fn lines(&self, [speed, push]: [&str; 2]) -> Vec<String> {
+    fn lines(&self, place: &str, [speed, push]: [&str; 2]) -> Vec<String> {
         let Some(bounds) = &self.radius else {
             let reason = self.reason.as_deref().unwrap_or_default();
             return vec![format!("not proved that the problem itself has a solution near: {reason}")];
         };
         let [velocity, impulse] = [(bounds.velocity, speed), (bounds.impulse, push)].map(|(number, unit)| with_unit(&above(number), unit));
-        let place = self.contact.map_or(String::new(), |contact| format!(" (contact {contact})"));
-        let mut lines = vec![format!(
-            "proved by intervals: the problem has a solution whose velocity differs by at most {velocity} at a contact{place},"
-        )];
+        let at = self.contact.map_or(String::new(), |contact| format!(" ({place} {contact})"));
+        let mut lines =
+            vec![format!("proved by intervals: the problem has a solution whose velocity differs by at most {velocity} at a {place}{at},")];
         lines.push(format!("  and its impulse by at most {impulse}"));
         if !bounds.dependent_rows.is_empty() {
             let rows = match bounds.dependent_rows.len() {
@@ -446,7 +447,9 @@ mod tests {
                 dependent_rows: vec![0; dependent],
             };
             let impulse_set = Some(Dimension { at_least: dimensions, at_most: dimensions });
-            Near { proved: true, reason: None, contact: None, radius: Some(radius), impulse_set }.lines(["m/s", "N·s"]).join("\n")
+            Near { proved: true, reason: None, contact: None, radius: Some(radius), impulse_set }
+                .lines("contact", ["m/s", "N·s"])
+                .join("\n")
         };
         assert!(near(1, 1).contains("1 row depends exactly") && near(1, 1).ends_with("exactly 1 dimension"), "{}", near(1, 1));
         assert!(near(2, 2).contains("2 rows depend exactly") && near(2, 2).ends_with("exactly 2 dimensions"), "{}", near(2, 2));

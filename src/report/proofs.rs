@@ -2,13 +2,15 @@
 
 use crate::Result;
 use crate::certificate::infeasible::{Infeasible, infeasible};
+use crate::certificate::jointed_proof::{infeasible_jointed, uniqueness_jointed};
 use crate::certificate::patterns::{Solutions, solutions};
 use crate::certificate::several::{Distinct, distinct};
 use crate::certificate::spatial::{Velocities, velocities};
 use crate::certificate::uniqueness::{Uniqueness, uniqueness};
 use crate::number::significant;
-use crate::problem::{ContactProblem, Solution};
+use crate::problem::{ContactProblem, JointedProblem, Solution};
 use crate::scalar::{Rational, Scalar};
+use crate::tolerance::joints::AGREES;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -69,6 +71,11 @@ struct Refuted {
     witness: Vec<String>,
     /// p·(u_free + shift), a negative fraction.
     product: String,
+    /// Its size relative to the sum of its terms without their signs, rounded.
+    relative: f64,
+    /// Whether the problem may contradict itself by this rounding of its data, and still be solved to it: joints that repeat each other.
+    #[serde(skip)]
+    by_rounding: bool,
     /// Of which W, in words, where mass and Jacobian are given and W is rounded.
     #[serde(skip_serializing_if = "str::is_empty")]
     of_which: &'static str,
@@ -81,12 +88,8 @@ impl Proofs {
     /// # Errors
     /// As [`distinct`].
     pub fn new(problem: &ContactProblem, exists: bool, answers: impl FnOnce() -> Vec<Solution>) -> Result<Self> {
-        let (unique, reason) = match uniqueness(problem) {
-            Uniqueness::Solution(reason) => ("solution", reason.into()),
-            Uniqueness::Velocity(reason) => ("velocity", reason.into()),
-            Uniqueness::Unknown(reason) => ("unknown", reason),
-        };
-        let infeasible = if exists { None } else { infeasible(problem).map(|found| Refuted::new(problem, found)) };
+        let (unique, reason) = told(uniqueness(problem));
+        let infeasible = if exists { None } else { infeasible(problem).map(|found| Refuted::new(found, of_which(problem))) };
         let (all, met, undecided) = match (solutions(problem), velocities(problem)) {
             (Ok(all), _) => (Some(All::from(all)), Vec::new(), Vec::new()),
             (_, Ok(all)) if all.exactly().is_some() => (Some(All::from(all)), Vec::new(), Vec::new()),
@@ -100,9 +103,20 @@ impl Proofs {
         Ok(Proofs { unique, reason, all, several, undecided, infeasible })
     }
 
-    /// Whether it is proved that there is no solution.
+    /// The same of a problem with joints, whose solutions are not counted.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`](crate::Error::Invalid) if a proof takes more memory than is allowed.
+    pub fn of_jointed(problem: &JointedProblem, exists: bool) -> Result<Self> {
+        let (unique, reason) = told(uniqueness_jointed(problem)?);
+        let found = if exists { None } else { infeasible_jointed(problem)? };
+        let infeasible = found.map(|found| Refuted { by_rounding: found.relative <= AGREES, ..Refuted::new(found, STORED) });
+        Ok(Proofs { unique, reason, all: None, several: None, undecided: Vec::new(), infeasible })
+    }
+
+    /// Whether it is proved that there is no solution, and not one to rounding either.
     pub fn denies(&self) -> bool {
-        self.infeasible.is_some() || self.all.as_ref().is_some_and(|all| all.velocities == 0)
+        self.infeasible.as_ref().is_some_and(|refuted| !refuted.by_rounding) || self.all.as_ref().is_some_and(|all| all.velocities == 0)
     }
 
     /// For reading, line by line.
@@ -138,19 +152,40 @@ impl Proofs {
                 "proved in fractions{}: there is no solution; impulses p with −Wᵀp in K* and p·(u_free + shift) = {}",
                 refuted.of_which, refuted.product
             ));
+            if refuted.by_rounding {
+                lines.push(format!("  but it is {} of its terms: the joints agree up to rounding", significant(refuted.relative)));
+            }
         }
         lines
+    }
+}
+
+/// In a word, and why.
+fn told(found: Uniqueness) -> (&'static str, String) {
+    match found {
+        Uniqueness::Solution(reason) => ("solution", reason.into()),
+        Uniqueness::Velocity(reason) => ("velocity", reason.into()),
+        Uniqueness::Unknown(reason) => ("unknown", reason),
     }
 }
 
 /// That there is no solution, in a line; nothing where no witness is found.
 pub fn no_solution(problem: &ContactProblem) -> Option<String> {
     let found = infeasible(problem)?;
+    Some(in_a_line(&found, if found.of_mechanism { MECHANISM } else { of_which(problem) }))
+}
+
+/// The same of a problem with joints: they contradict the rest by more than rounding.
+pub fn no_solution_jointed(problem: &JointedProblem) -> Option<String> {
+    let found = infeasible_jointed(problem).ok().flatten().filter(|found| found.relative > AGREES)?;
+    Some(in_a_line(&found, STORED))
+}
+
+fn in_a_line(found: &Infeasible, of_which: &str) -> String {
     let product = significant(Scalar::to_f64(&found.product));
-    let of_which = of_which(problem);
-    Some(format!(
+    format!(
         "proved in fractions{of_which}: the problem has no solution; impulses p with −Wᵀp in K* have p·(u_free + shift) = {product} J\n"
-    ))
+    )
 }
 
 impl Several {
@@ -192,11 +227,18 @@ impl From<Velocities> for All {
 }
 
 impl Refuted {
-    fn new(problem: &ContactProblem, found: Infeasible) -> Self {
+    fn new(found: Infeasible, of_which: &'static str) -> Self {
         let witness = found.witness.iter().map(Rational::to_string).collect();
-        Refuted { witness, product: found.product.to_string(), of_which: of_which(problem) }
+        let of_which = if found.of_mechanism { MECHANISM } else { of_which };
+        Refuted { witness, product: found.product.to_string(), relative: found.relative, by_rounding: false, of_which }
     }
 }
+
+/// Where Hᵀp = 0.
+const MECHANISM: &str = " of W = H M̂⁻¹ Hᵀ, not rounded";
+
+/// With joints W alone is kept.
+const STORED: &str = " of W as it is stored";
 
 /// Of which W it is proved, where there are two: W of mass and Jacobian is rounded before the witness is checked.
 fn of_which(problem: &ContactProblem) -> &'static str {

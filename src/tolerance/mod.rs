@@ -11,7 +11,7 @@
 //! limit of work or size, what an inexact word of a sentence is taken to mean. `tests/architecture/` holds every one to its word.
 
 pub use moreau_checks::tolerance::{self as checks, convergence, zeno};
-pub use moreau_contact::tolerance::{certificate, complementarity, cones, problem, proof, solvers};
+pub use moreau_contact::tolerance::{certificate, complementarity, cones, joints, problem, proof, solvers};
 pub use moreau_dynamics::tolerance::{event_driven, impact_laws, integrators, mechanics, scenes, schemes, stabilisation, trajectory};
 pub use moreau_exact::tolerance::{EPSILON, rounding};
 pub use moreau_gate::tolerance as gate;

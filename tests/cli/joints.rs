@@ -64,14 +64,6 @@ fn what_is_not_done_with_joints_is_refused_by_name() {
     let (bob, block) = (folder.file("bob.json", BOB), folder.file("block.json", PROBLEM));
     let answer = folder.path("answer.json");
     assert_eq!(moreau(&["solve", &bob, "--out", &answer]).code, 0);
-    let plain = moreau(&["certify", &bob, &answer]);
-    let proved = moreau(&["certify", &bob, &answer, "--prove"]);
-    let said = "no backward error is proved: proofs are of contacts alone, and this problem has joints\n";
-    assert_eq!((proved.code, proved.output.replace(said, "")), (0, plain.output), "the ordinary certificate");
-    assert!(proved.output.contains(said), "{}", proved.output);
-    let nothing = folder.file("nothing.json", r#"{"schema": "solution/1", "problem": "bob", "impulse": [0, 0]}"#);
-    let rejected = moreau(&["certify", &bob, &nothing, "--prove"]);
-    assert!(rejected.code == 1 && rejected.output.contains("NOT a solution"), "{}", rejected.output);
     let newton = moreau(&["solve", &bob, "--solver", "newton"]);
     assert!(newton.code == 1 && newton.message.contains("once the joints are eliminated"), "{}", newton.message);
     moreau(&["convert", &bob]).is_refused(&["bob.json", "kinds", "moreau solve"]);
@@ -83,4 +75,59 @@ fn what_is_not_done_with_joints_is_refused_by_name() {
     moreau(&["solve", &folder.file("contradicting.json", &contradicting)]).is_refused(&["kinds[", "contradicts"]);
     let refused = moreau(&["solve", &folder.file("slider.json", SLIDER), "--solver", "lemke"]);
     assert!(refused.code == 1 && refused.message.contains("use `auto`, `pgs`"), "{}", refused.message);
+}
+
+/// One rod twice, with these velocities along it.
+fn rods(velocities: &str) -> String {
+    format!(
+        r#"{{"schema": "contact-problem/1", "name": "rods", "dimension": 1, "law": "frictionless", "friction": [0, 0],
+            "kinds": [{{"bilateral": 1}}, {{"bilateral": 1}}], "free_velocity": {velocities},
+            "delassus": {{"shape": [2, 2], "rows": [[1, 1], [1, 1]]}}}}"#
+    )
+}
+
+#[test]
+fn answers_with_joints_are_proved_and_a_moved_one_is_as_far_as_it_was_moved() {
+    let folder = Folder::new("joints-proved");
+    for (name, text) in [("bob", BOB), ("slider", SLIDER)] {
+        let (problem, answer) = (folder.file(&format!("{name}.json"), text), folder.path("answer.json"));
+        assert_eq!(moreau(&["solve", &problem, "--out", &answer]).code, 0);
+        let run = moreau(&["certify", &problem, &answer, "--prove"]);
+        assert_eq!(run.code, 0, "{}{}", run.output, run.message);
+        for said in ["proved in fractions: impulses", "proved by intervals: the problem has a solution", "at a constraint"] {
+            assert!(run.output.contains(said), "{said}: {}", run.output);
+        }
+        let json = moreau(&["certify", &problem, &answer, "--prove", "--format", "json"]).json();
+        let held = json["forward"]["radius"]["states"].as_array().expect("a list").iter().filter(|state| *state == "held").count();
+        assert_eq!(json["bilateral"].as_u64(), Some(held as u64), "{json}");
+        assert!(json["backward"]["velocity"].as_f64().expect("a number") < 1e-12, "{json}");
+    }
+    let bob = folder.file("bob.json", BOB);
+    let moved = folder.file("moved.json", r#"{"schema": "solution/1", "problem": "bob", "impulse": [7.5, -2.25]}"#);
+    let run = moreau(&["certify", &bob, &moved, "--prove", "--format", "json"]);
+    let [velocity, impulse] = ["velocity", "impulse"].map(|name| run.json()["forward"]["radius"][name].as_f64().expect("proved"));
+    assert!(run.code == 1 && velocity >= 0.124 && (0.25..0.251).contains(&impulse), "{}", run.output);
+    assert!(run.json()["backward"]["velocity"].as_f64().expect("proved") >= 0.124, "{}", run.output);
+}
+
+#[test]
+fn joints_that_contradict_each_other_are_refuted_and_those_that_agree_to_rounding_are_not_denied() {
+    let folder = Folder::new("joints-refuted");
+    let answer = folder.file("answer.json", r#"{"schema": "solution/1", "problem": "rods", "impulse": [0.5, 0.5], "velocity": [0, 0]}"#);
+    let run = |velocities: &str, more: &[&str]| {
+        let problem = folder.file("rods.json", &rods(velocities));
+        moreau(&[&["certify", &problem, &answer, "--prove"], more].concat())
+    };
+    let same = run("[-1, -1]", &[]);
+    assert!(
+        same.code == 0 && same.output.contains("a set of exactly 1 dimension") && !same.output.contains("there is no"),
+        "{}",
+        same.output
+    );
+    let other = run("[-1, -1.5]", &["--format", "json"]);
+    assert_eq!((other.code, &other.json()["status"]), (1, &"infeasible".into()), "{}", other.output);
+    assert_eq!(other.json()["solutions"]["infeasible"]["witness"].as_array().map(Vec::len), Some(2));
+    assert!(other.json()["forward"]["reason"].as_str().expect("none near").contains("constraint "), "{}", other.output);
+    let nearly = run("[-1, -1.0000000000000002]", &[]);
+    assert!(nearly.code == 0 && nearly.output.contains("agree up to rounding"), "{}", nearly.output);
 }

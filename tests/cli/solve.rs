@@ -281,7 +281,7 @@ fn an_operator_that_is_none_of_contacts_is_remarked_upon_and_a_matrix_of_an_lcp_
 
 #[test]
 fn a_start_is_refused_where_the_solver_has_one_of_its_own() {
-    let folder = Folder::new("solve-start");
+    let folder = Folder::new("solve-start-refused");
     let (problem, answer) = (folder.file("problem.json", PROBLEM), folder.path("answer.json"));
     assert_eq!(moreau(&["solve", &problem, "--out", &answer]).code, 0);
     for solver in moreau::solvers::ALL.names() {

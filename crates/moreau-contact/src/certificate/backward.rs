@@ -3,13 +3,16 @@
 //! ```text
 //!     (r′, y′) in the law, in rationals;      y′ = (W + R) r′ + u_free + shift + δ ,      δ_k [m/s] per contact
 //! ```
-//! r′ and y′ are made of the answer, contact by contact, such that the law holds in rationals, without rounding: an open contact has
-//! r′ = 0; a sticking one y′ = 0 and r′ inside of the cone; a sliding one lies on the cone with r_t′ = −μ r_n′ t and y_t′ = s t, t a
-//! rational point of the unit circle, ((1 − m²), 2m)/(1 + m²). δ then follows exactly from the numbers of the problem. What is
-//! returned are its sizes, rounded outward. So the answer r, up to |r′ − r|, solves the problem whose u_free differs by at most δ_k at
-//! contact k; whether the problem itself has a solution near r is another question.
+//! r′ and y′ are made of the answer, contact by contact, such that the law holds in rationals, without rounding: an open contact has r′ =
+//! 0; a sticking one y′ = 0 and r′ inside of the cone; a sliding one lies on the cone with r_t′ = −μ r_n′ t and y_t′ = s t, t a rational
+//! point of the unit circle, ((1 − m²), 2m)/(1 + m²); under a polyhedral law the pair stands on a face of its cone (`polyhedral_pair`). δ
+//! then follows exactly from the numbers of the problem. What is returned are its sizes, rounded outward. So the answer r, up to |r′ − r|,
+//! solves the problem whose u_free differs by at most δ_k at contact k; whether the problem itself has a solution near r is another
+//! question.
 
-use crate::problem::{ContactProblem, Coordinates, Law};
+use super::planted::{Plant, planted};
+use super::polyhedral_pair::{Faceted, Polygon};
+use crate::problem::{ByRows, Compliance, ContactProblem, Coordinates, Law};
 use moreau_exact::scalar::{Rational, Scalar, exact};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -34,6 +37,8 @@ pub enum HeldAs {
     Sticking,
     /// An impulse on the boundary of the cone against the slip.
     Sliding,
+    /// A bilateral constraint: any impulse, and no velocity.
+    Joined,
 }
 
 impl Backward {
@@ -51,7 +56,8 @@ impl Backward {
 /// Proves the backward error of impulses r.
 ///
 /// # Errors
-/// [`Error::Unsupported`] for polyhedral laws; [`Error::Invalid`] if r has another size or a number that is not finite.
+/// [`Error::Unsupported`] where a contact has hard edges beside soft ones; [`Error::Invalid`] if r has another size or a number that is not
+/// finite.
 /// ```
 /// use moreau_contact::certificate::backward::{HeldAs, backward};
 /// use moreau_contact::nalgebra::{DMatrix, dvector};
@@ -64,9 +70,11 @@ impl Backward {
 /// # Ok::<(), moreau_contact::Error>(())
 /// ```
 pub fn backward(problem: &ContactProblem, impulse: &DVector<f64>) -> Result<Backward> {
-    if problem.law().directions().is_some() || problem.compliance().is_some_and(|soft| soft.coordinates == Coordinates::Edge) {
-        return Err(Error::Unsupported(format!("not proved: the law `{}` has no proof of a backward error here", problem.law().name())));
-    }
+    of_rows(problem, impulse, None)
+}
+
+/// The same of a problem whose contacts may stand for bilateral rows.
+pub(super) fn of_rows(problem: &ContactProblem, impulse: &DVector<f64>, joints: Option<&ByRows>) -> Result<Backward> {
     if impulse.len() != problem.rows() || impulse.iter().any(|r| !r.is_finite()) {
         return Err(Error::invalid("impulse", format!("is not {} finite numbers", problem.rows()), "give one number per row"));
     }
@@ -76,19 +84,24 @@ pub fn backward(problem: &ContactProblem, impulse: &DVector<f64>) -> Result<Back
         return Err(Error::invalid("impulse", "moves contacts faster than numbers tell", "rescale the units of the problem"));
     }
     let rows = problem.rows_per_contact();
-    let near: Vec<Near> = (0..problem.contacts())
-        .map(|k| near(problem, k, &impulse.as_slice()[k * rows..(k + 1) * rows], &velocity.as_slice()[k * rows..(k + 1) * rows]))
-        .collect();
-    let moved = moved(problem, &near);
-    let size = |differences: &[Rational]| outward(differences.iter().map(|d| d.clone() * d.clone()).fold(Rational::ZERO, |a, b| a + b));
+    let polygon = problem.law().directions().map(Polygon::new);
+    let contact = |k: usize| {
+        let [r, y] = [impulse, &velocity].map(|all| &all.as_slice()[k * rows..(k + 1) * rows]);
+        match &polygon {
+            _ if joints.is_some_and(|joints| joints.is_joined(k) && !planted(Plant::Joined)) => Ok(Near::joined(r)),
+            Some(polygon) => on_faces(problem, polygon, k, r, y),
+            None => Ok(near(problem, k, r, y)),
+        }
+    };
+    let near: Vec<Near> = (0..problem.contacts()).map(contact).collect::<Result<_>>()?;
+    let given: Vec<Rational> = impulse.iter().map(|r| exact(*r)).collect();
+    let obeying: Vec<Rational> = near.iter().flat_map(|near| near.impulse.clone()).collect();
+    let moved = moved(problem, if planted(Plant::Moved) { &given } else { &obeying });
+    let size = |differences: &[Rational]| outward(squares(differences.iter().cloned()));
+    let at = |k: usize| k * rows..(k + 1) * rows;
     Ok(Backward {
-        velocity: (0..near.len()).map(|k| size(&differences(&near[k].velocity, &moved[k * rows..(k + 1) * rows]))).collect(),
-        impulse: (0..near.len())
-            .map(|k| {
-                let given: Vec<Rational> = impulse.rows(k * rows, rows).iter().map(|r| exact(*r)).collect();
-                size(&differences(&near[k].impulse, &given))
-            })
-            .collect(),
+        velocity: (0..near.len()).map(|k| size(&differences(&near[k].velocity, &moved[at(k)]))).collect(),
+        impulse: (0..near.len()).map(|k| size(&differences(&near[k].impulse, &given[at(k)]))).collect(),
         states: near.iter().map(|near| near.state).collect(),
     })
 }
@@ -100,29 +113,76 @@ struct Near {
     state: HeldAs,
 }
 
+impl Near {
+    /// The impulse of a bilateral row as it is, beside which no row has one, and no velocity.
+    fn joined(r: &[f64]) -> Self {
+        let impulse = r.iter().enumerate().map(|(i, r)| exact(if i == 0 { *r } else { 0.0 })).collect();
+        Near { impulse, velocity: vec![Rational::ZERO; r.len()], state: HeldAs::Joined }
+    }
+}
+
+fn squares(numbers: impl Iterator<Item = Rational>) -> Rational {
+    numbers.fold(Rational::ZERO, |sum, x| sum + x.clone() * x)
+}
+
+/// √Σ x², rounded outward; infinite if a number is.
+pub(super) fn length(numbers: impl Iterator<Item = f64>) -> f64 {
+    let numbers: Vec<f64> = numbers.collect();
+    match numbers[..] {
+        [one] => one,
+        _ if numbers.iter().all(|x| x.is_finite()) => outward(squares(numbers.into_iter().map(exact))),
+        _ => f64::INFINITY,
+    }
+}
+
 fn differences(one: &[Rational], other: &[Rational]) -> Vec<Rational> {
     one.iter().zip(other).map(|(a, b)| a.clone() - b.clone()).collect()
 }
 
 /// (W + R) r′ + u_free + shift, exactly.
-fn moved(problem: &ContactProblem, near: &[Near]) -> Vec<Rational> {
-    let rows = problem.rows_per_contact();
+fn moved(problem: &ContactProblem, impulse: &[Rational]) -> Vec<Rational> {
     let mut moved: Vec<Rational> =
         problem.free_velocity().iter().zip(problem.shift()).map(|(free, shift)| exact(*free) + exact(*shift)).collect();
-    for (column, r) in near.iter().flat_map(|near| &near.impulse).enumerate().filter(|(_, r)| !r.is_zero()) {
+    for (column, r) in impulse.iter().enumerate().filter(|(_, r)| !r.is_zero()) {
         problem.delassus().for_each_in_column(column, |row, w| moved[row] += exact(w) * r.clone());
         moved[column] += exact(problem.row_compliance(column)) * r.clone();
     }
-    debug_assert_eq!(moved.len(), near.len() * rows);
     moved
+}
+
+/// ρ \[kg\] of contact k, rows/tr(W_kk + R_kk), or 1 kg.
+fn weight(problem: &ContactProblem, k: usize) -> f64 {
+    let rows = problem.rows_per_contact();
+    let trace: f64 = (k * rows..(k + 1) * rows).map(|row| problem.entry(row, row) + problem.row_compliance(row)).sum();
+    if trace > 0.0 { rows as f64 / trace } else { 1.0 }
+}
+
+/// An exact pair near (r, y) under a polyhedral law.
+fn on_faces(problem: &ContactProblem, polygon: &Polygon, k: usize, r: &[f64], y: &[f64]) -> Result<Near> {
+    let (law, friction) = (problem.law(), problem.friction()[k]);
+    let d = law.directions().unwrap_or(0);
+    let of_edges = |soft: &'_ Compliance| soft.coordinates == Coordinates::Edge;
+    let softness = problem.compliance().filter(|soft| of_edges(soft)).map(|soft| &soft.diagonal.as_slice()[k * d..(k + 1) * d]);
+    let softness = softness.filter(|softness| softness.iter().any(|soft| *soft > 0.0));
+    let associated = matches!(law, Law::PolyhedralAssociated { .. });
+    let contact = Faceted { polygon, associated, friction, rho: weight(problem, k), softness };
+    let Some(pair) = contact.near(r, y) else {
+        return Err(Error::Unsupported(format!("not proved: contact {k} has edges without compliance beside soft ones")));
+    };
+    let impulse = contact.impulse(&pair);
+    let state = match impulse.iter().all(Rational::is_zero) {
+        true => HeldAs::Open,
+        false if friction > 0.0 && pair.velocity[1..].iter().any(|y| !y.is_zero()) => HeldAs::Sliding,
+        false => HeldAs::Sticking,
+    };
+    Ok(Near { impulse, velocity: pair.velocity, state })
 }
 
 /// An exact pair near (r, y), by the point r_n − ρ y_n that Moreau's decomposition would project.
 fn near(problem: &ContactProblem, k: usize, r: &[f64], y: &[f64]) -> Near {
     let (rows, mu) = (r.len(), problem.law().cone_friction(problem.friction()[k]));
     let zeros = || vec![Rational::ZERO; rows];
-    let trace: f64 = (k * rows..(k + 1) * rows).map(|row| problem.entry(row, row) + problem.row_compliance(row)).sum();
-    let rho = if trace > 0.0 { rows as f64 / trace } else { 1.0 };
+    let rho = weight(problem, k);
     let slip = y.get(1).copied().unwrap_or(0.0).hypot(y.get(2).copied().unwrap_or(0.0));
     let lift = if problem.law() == Law::Associated { mu * slip } else { 0.0 };
     if r[0] <= rho * (y[0] - lift) || r[0] <= 0.0 {
@@ -207,7 +267,7 @@ fn outward(square: Rational) -> f64 {
         return if square.is_zero() { 0.0 } else { f64::MIN_POSITIVE.sqrt() };
     }
     let mut size = rounded.sqrt();
-    while size.is_finite() && exact(size) * exact(size) < square {
+    while size.is_finite() && exact(size) * exact(size) < square && !planted(Plant::Inward) {
         size = size.next_up();
     }
     size
@@ -295,9 +355,7 @@ mod tests {
     }
 
     #[test]
-    fn polyhedral_laws_and_wrong_sizes_are_refused() {
-        let pyramid = problem(Law::PolyhedralCoulomb { directions: 4 }, 0.5, dvector![-1.0, 0.0, 0.0]);
-        assert!(backward(&pyramid, &dvector![0.5, 0.0, 0.0]).unwrap_err().to_string().contains("not proved"));
+    fn wrong_sizes_are_refused() {
         let round = problem(Law::Coulomb, 0.5, dvector![-1.0, 0.0, 0.0]);
         assert!(backward(&round, &dvector![0.5]).is_err() && backward(&round, &dvector![f64::NAN, 0.0, 0.0]).is_err());
     }

@@ -1,23 +1,28 @@
 //! Problems without any solution, by a witness that is checked in fractions.
 //!
 //! ```text
-//!     p in P ,   −(Wᵀp)_k ∈ K_k* for every contact k ,   p·(u_free + shift) < 0
+//!     p in P ,   −(Aᵀp)_k ∈ K_k* for every contact k ,   p·(u_free + shift) < 0 ,       A = W + R
 //!     P = normal impulses p_n ≥ 0, p_t = 0   (frictionless, Coulomb, polyhedral) ,      P = K   (associated)
+//!     at a bilateral row   p_b of any sign ,   (Aᵀp)_b = 0
 //! ```
-//! Such a p refutes every r ∈ K: the law asks y_n ≥ 0, or y ∈ K*, hence p·y ≥ 0; but p·y = (Wᵀp)·r + p·(u_free + shift), where the first
-//! term is at most 0 and the second is negative. Two walls that close in on a body are the example. A polygon's cone lies in
-//! the round one, and its edges' velocities y_n + μ Dⱼ·y_t ≥ 0 have y_n as their mean. Contacts are hard: R = 0. A problem may
-//! have no solution without such a witness; then this says nothing.
+//! Such a p refutes every r ∈ K: the law asks y_n ≥ 0, or y ∈ K*, and y_b = 0, hence p·y ≥ 0; but p·y = (Aᵀp)·r + p·(u_free + shift), where
+//! the first term is at most 0 and the second is negative. Two walls that close in on a body are the example, and rods that contradict each
+//! other. A polygon's cone lies in the round one, and its edges' velocities y_n + μ Dⱼ·y_t ≥ 0 have y_n as their mean. A problem may have
+//! no solution without such a witness; then this says nothing.
 //!
-//! The search is a linear program in fractions, with eight generators of each cone for the candidates – of many contacts with normal
-//! impulses alone – and eight bounds around each dual cone; what it finds is checked against the round cones after squaring.
+//! Of up to twelve contacts that W joins the search is a linear program in fractions, with eight generators of each cone for the candidates
+//! – of more than three contacts with normal impulses alone – and eight bounds around each dual cone. Of more contacts, witnesses are
+//! looked for that move nothing, Aᵀp = 0 (`kernel_witness`), and of problems whose M̂ and H are known such with Hᵀp = 0, which refute the
+//! exact W = H M̂⁻¹ Hᵀ, of which the stored one is rounded. What is found is checked against the round cones after squaring.
 
 use super::feasibility::nonnegative_solution;
+use super::kernel_witness;
+use super::planted::{Plant, planted};
 use crate::operator::Islands;
-use crate::problem::{ContactProblem, Law};
-use crate::tolerance::proof::{WITNESS_CONTACTS, WITNESS_ROUND, WITNESS_WORK};
+use crate::problem::{ContactProblem, Coordinates, Law};
+use crate::tolerance::proof::{WITNESS_CONTACTS, WITNESS_ENTRIES, WITNESS_ROUND, WITNESS_STEPS, WITNESS_WORK};
 use dashu_ratio::RBig;
-use moreau_exact::scalar::{Rational, exact, ratio};
+use moreau_exact::scalar::{Rational, Scalar, exact, ratio};
 use nalgebra::{DMatrix, DVector};
 
 /// Impulses p that no velocity of the problem can agree with.
@@ -27,6 +32,10 @@ pub struct Infeasible {
     pub witness: DVector<Rational>,
     /// p·(u_free + shift) < 0 \[J\].
     pub product: Rational,
+    /// |p·(u_free + shift)|/Σ|p||u_free + shift|, rounded: near ε the problem contradicts itself by no more than the rounding of its data.
+    pub relative: f64,
+    /// Whether Hᵀp = 0, so that the proof is of W = H M̂⁻¹ Hᵀ itself; otherwise it is of W as the problem stores it.
+    pub of_mechanism: bool,
 }
 
 /// Eight directions of rational length, five times unit vectors.
@@ -48,253 +57,280 @@ const DIRECTIONS: [[i64; 2]; 8] = [[5, 0], [4, 3], [0, 5], [-3, 4], [-5, 0], [-4
 /// # Ok::<(), moreau_contact::Error>(())
 /// ```
 pub fn infeasible(problem: &ContactProblem) -> Option<Infeasible> {
-    let soft = problem.compliance().is_some();
-    if soft || problem.contacts() == 0 {
+    of_rows(problem, &vec![false; problem.contacts()])
+}
+
+/// The same of a problem whose contacts stand for bilateral rows where `joined` says so.
+pub(super) fn of_rows(problem: &ContactProblem, joined: &[bool]) -> Option<Infeasible> {
+    let on_edges = problem.compliance().is_some_and(|soft| soft.coordinates == Coordinates::Edge);
+    let rows = problem.rows_per_contact();
+    // where W ⪰ 0 and every row of p is soft, p·A p > 0
+    let all_soft = (0..problem.contacts()).all(|k| problem.row_compliance(k * rows) > 0.0);
+    if on_edges || all_soft {
         return None;
     }
-    let islands = problem.islands();
-    let witness = match islands.members.len() > 1 || islands.last_is_of_lone {
-        true => of_an_island(problem, islands)?,
-        false if problem.contacts() <= WITNESS_CONTACTS => of_joined(problem)?,
-        false => return None,
-    };
-    let product = check(problem, &witness)?;
-    Some(Infeasible { witness, product })
-}
-
-/// A witness of the first island that has one: what cannot be solved there cannot be solved at all. The smallest are looked at first, and
-/// not more than a limited work.
-fn of_an_island(problem: &ContactProblem, islands: &Islands) -> Option<DVector<Rational>> {
-    let (last, of_lone) = (islands.members.len() - 1, islands.last_is_of_lone);
-    let apart = |(place, members): (usize, &Vec<usize>)| -> Vec<Vec<usize>> {
-        if of_lone && place == last { members.iter().map(|k| vec![*k]).collect() } else { vec![members.clone()] }
-    };
-    let mut all: Vec<Vec<usize>> = islands.members.iter().enumerate().flat_map(apart).collect();
-    all.sort_by_key(Vec::len);
-    let (rows, mut work) = (problem.rows_per_contact(), 0);
-    for members in all.iter().take_while(|members| members.len() <= WITNESS_CONTACTS) {
-        work += members.len().pow(3);
-        if work > WITNESS_WORK {
-            return None;
-        }
-        if let Some(own) = of_joined(&problem.island(islands, members)) {
-            let mut witness = DVector::from_element(problem.rows(), RBig::ZERO);
-            for (place, k) in members.iter().enumerate() {
-                (0..rows).for_each(|row| witness[k * rows + row] = own[place * rows + row].clone());
-            }
-            return Some(witness);
-        }
-    }
-    None
-}
-
-/// A witness of contacts that W joins; it is checked by the caller.
-fn of_joined(problem: &ContactProblem) -> Option<DVector<Rational>> {
-    let (rows, data) = (problem.rows_per_contact(), [problem.free_velocity(), problem.shift()]);
-    let closes = |k: usize| data[0][k * rows] + data[1][k * rows] < 0.0;
-    if problem.law() != Law::Associated && !(0..problem.contacts()).any(closes) {
-        return None; // p·q < 0 needs a contact with q_n < 0
-    }
-    let generators = generators(problem);
-    let moved = products(problem, &generators);
-    let free: Vec<Rational> = problem.free_velocity().iter().zip(problem.shift()).map(|(q, s)| exact(*q) + exact(*s)).collect();
-    let bounds = bounds(problem, &moved);
-    // λ ≥ 0 of the generators and slacks s ≥ 0:   B λ + s = 0 ,   (Gᵀ free) λ = −1
-    let (n, m) = (generators.len(), bounds.len());
-    let mut system = DMatrix::from_element(m + 1, n + m, RBig::ZERO);
-    for (i, bound) in bounds.iter().enumerate() {
-        (0..n).for_each(|j| system[(i, j)] = bound[j].clone());
-        system[(i, n + i)] = RBig::ONE;
-    }
-    for (j, generator) in generators.iter().enumerate() {
-        system[(m, j)] = generator.iter().fold(RBig::ZERO, |sum, (row, part)| sum + part * &free[*row]);
-    }
-    let right = DVector::from_fn(m + 1, |i, _| if i == m { -RBig::ONE } else { RBig::ZERO });
-    let weights = nonnegative_solution(&system, &right).point()?;
-    let mut witness = DVector::from_element(problem.rows(), RBig::ZERO);
-    for (generator, weight) in generators.iter().zip(weights.iter()) {
-        generator.iter().for_each(|(row, part)| witness[*row] += part * weight);
-    }
-    Some(witness)
+    let sought = Sought { problem, joined };
+    let of_w = sought.of_islands().and_then(|witness| Some((sought.check(&witness)?, witness, false)));
+    let found = of_w.or_else(|| sought.of_mechanism().map(|(product, witness)| (product, witness, true)));
+    found.map(|(product, witness, of_mechanism)| {
+        let terms = witness.iter().zip(sought.free()).fold(RBig::ZERO, |sum, (p, q)| sum + (p * q).magnitude());
+        Infeasible { relative: Scalar::to_f64(&(-&product / terms)), witness, product, of_mechanism }
+    })
 }
 
 /// p·(u_free + shift), if p is a witness.
 pub fn check(problem: &ContactProblem, witness: &DVector<Rational>) -> Option<Rational> {
-    let (d, law) = (problem.rows_per_contact(), problem.law());
-    if witness.len() != problem.rows() || problem.compliance().is_some() {
-        return None;
-    }
-    let mu = |k: usize| exact(if d == 1 { 0.0 } else { law.cone_friction(problem.friction()[k]) });
-    let squares = |of: &[Rational]| of[1..].iter().fold(RBig::ZERO, |sum, x| sum + x * x);
-    let contact = |k: usize| &witness.as_slice()[k * d..(k + 1) * d];
-    let tests = |k: usize| {
-        let (p, mu) = (contact(k), if law == Law::Associated { mu(k) } else { RBig::ZERO });
-        p[0] >= RBig::ZERO && squares(p) <= &mu * &mu * &p[0] * &p[0]
-    };
-    let pushes_nothing = |k: usize| {
-        let velocity: Vec<Rational> = (k * d..(k + 1) * d).map(|column| -transposed(problem, witness, column)).collect();
-        let mu = mu(k);
-        velocity[0] >= RBig::ZERO && &velocity[0] * &velocity[0] >= &mu * &mu * squares(&velocity)
-    };
-    let product = (0..problem.rows())
-        .filter(|row| !witness[*row].is_zero())
-        .fold(RBig::ZERO, |sum, row| sum + &witness[row] * (exact(problem.free_velocity()[row]) + exact(problem.shift()[row])));
-    let holds = product < RBig::ZERO && (0..problem.contacts()).all(|k| tests(k) && pushes_nothing(k));
-    holds.then_some(product)
+    Sought { problem, joined: &vec![false; problem.contacts()] }.check(witness)
 }
 
-/// (Wᵀp) at one row.
-fn transposed(problem: &ContactProblem, p: &DVector<Rational>, column: usize) -> Rational {
-    let mut sum = RBig::ZERO;
-    problem.delassus().for_each_in_column(column, |row, w| {
-        if !p[row].is_zero() {
-            sum += exact(w) * &p[row];
-        }
-    });
-    sum
+/// A problem, or some of its contacts, and which of them are bilateral rows.
+struct Sought<'a> {
+    problem: &'a ContactProblem,
+    joined: &'a [bool],
 }
 
 type Generator = Vec<(usize, Rational)>;
 
-/// Impulses whose combinations are tried, row by row.
-fn generators(problem: &ContactProblem) -> Vec<Generator> {
-    let d = problem.rows_per_contact();
-    let of = |k: usize| -> Vec<Generator> {
-        let mu = exact(problem.law().cone_friction(problem.friction()[k]));
-        if d == 1 || problem.law() != Law::Associated || mu.is_zero() || problem.contacts() > WITNESS_ROUND {
-            return vec![vec![(k * d, RBig::ONE)]];
-        }
-        let along = |[x, y]: [i64; 2]| {
-            let tangents = [x, y].into_iter().enumerate().take(d - 1).map(|(i, part)| (k * d + 1 + i, &mu * ratio(part, 5)));
-            [(k * d, RBig::ONE)].into_iter().chain(tangents).collect()
-        };
-        DIRECTIONS.into_iter().filter(|direction| d == 3 || direction[1] == 0).map(along).collect()
-    };
-    (0..problem.contacts()).flat_map(of).collect()
-}
-
-/// Wᵀ times every generator.
-fn products(problem: &ContactProblem, generators: &[Generator]) -> Vec<DVector<Rational>> {
-    let column = |generator: &Generator| {
-        let mut p = DVector::from_element(problem.rows(), RBig::ZERO);
-        generator.iter().for_each(|(row, part)| p[*row] = part.clone());
-        DVector::from_fn(problem.rows(), |row, _| transposed(problem, &p, row))
-    };
-    generators.iter().map(column).collect()
-}
-
-/// Rows that must not be positive: (Wᵀp)_n + μ c d·(Wᵀp)_t for directions d, where c makes the polygon contain the disk.
-fn bounds(problem: &ContactProblem, moved: &[DVector<Rational>]) -> Vec<Vec<Rational>> {
-    let d = problem.rows_per_contact();
-    let mut made = Vec::new();
-    for k in 0..problem.contacts() {
-        let mu = exact(if d == 1 { 0.0 } else { problem.law().cone_friction(problem.friction()[k]) });
-        if mu.is_zero() {
-            made.push(moved.iter().map(|w| w[k * d].clone()).collect());
-            continue;
-        }
-        // the widest angle between directions is 53.2°, and 1/cos(26.6°) < 9/8
-        let wider = if d == 3 { ratio(9, 8) } else { RBig::ONE };
-        for [x, y] in DIRECTIONS.into_iter().filter(|direction| d == 3 || direction[1] == 0) {
-            let parts = [ratio(x, 5), ratio(y, 5)];
-            let along = |w: &DVector<Rational>| (1..d).fold(RBig::ZERO, |sum, i| sum + &parts[i - 1] * &w[k * d + i]);
-            made.push(moved.iter().map(|w| &w[k * d] + &mu * &wider * along(w)).collect());
-        }
+impl Sought<'_> {
+    fn free(&self) -> Vec<Rational> {
+        self.problem.free_velocity().iter().zip(self.problem.shift()).map(|(q, s)| exact(*q) + exact(*s)).collect()
     }
-    made
+
+    /// A witness of the first island that has one: what cannot be solved there cannot be solved at all. The smallest are looked at first,
+    /// and not more than a limited work.
+    fn of_islands(&self) -> Option<DVector<Rational>> {
+        let islands = self.problem.islands();
+        if islands.members.len() == 1 && !islands.last_is_of_lone {
+            return self.of_joined();
+        }
+        let (last, of_lone) = (islands.members.len().checked_sub(1)?, islands.last_is_of_lone);
+        let apart = |(place, members): (usize, &Vec<usize>)| -> Vec<Vec<usize>> {
+            if of_lone && place == last { members.iter().map(|k| vec![*k]).collect() } else { vec![members.clone()] }
+        };
+        let mut all: Vec<Vec<usize>> = islands.members.iter().enumerate().flat_map(apart).collect();
+        all.sort_by_key(Vec::len);
+        let (mut work, mut entries) = (0, 0);
+        for members in &all {
+            let is_small = members.len() <= WITNESS_CONTACTS;
+            let [mine, beyond] = if is_small { [members.len().pow(3), 0] } else { [0, members.len() * self.problem.rows_per_contact()] };
+            (work, entries) = (work + mine, entries + beyond * beyond);
+            if work > WITNESS_WORK || entries > 8 * WITNESS_ENTRIES {
+                return None;
+            }
+            if let Some(witness) = self.of_island(islands, members) {
+                return Some(witness);
+            }
+        }
+        None
+    }
+
+    fn of_island(&self, islands: &Islands, members: &[usize]) -> Option<DVector<Rational>> {
+        let rows = self.problem.rows_per_contact();
+        let joined: Vec<bool> = members.iter().map(|k| self.joined[*k]).collect();
+        let own = Sought { problem: &self.problem.island(islands, members), joined: &joined }.of_joined()?;
+        let mut witness = DVector::from_element(self.problem.rows(), RBig::ZERO);
+        for (place, k) in members.iter().enumerate() {
+            (0..rows).for_each(|row| witness[k * rows + row] = own[place * rows + row].clone());
+        }
+        Some(witness)
+    }
+
+    /// A witness of contacts that W joins; it is checked by the caller.
+    fn of_joined(&self) -> Option<DVector<Rational>> {
+        let (problem, rows) = (self.problem, self.problem.rows_per_contact());
+        let given = |row: usize| problem.free_velocity()[row] + problem.shift()[row];
+        let closes = |k: usize| if self.joined[k] { given(k * rows) != 0.0 } else { given(k * rows) < 0.0 };
+        if problem.law() != Law::Associated && !(0..problem.contacts()).any(closes) {
+            return None; // p·q < 0 needs a contact with q_n < 0, or a joint with q_b ≠ 0
+        }
+        if problem.contacts() > WITNESS_CONTACTS {
+            let generators = self.generators(true);
+            if generators.len() * problem.rows() > WITNESS_ENTRIES {
+                return None;
+            }
+            let moved = self.products(&generators);
+            let matrix = DMatrix::from_fn(problem.rows(), generators.len(), |row, j| moved[j][row].clone());
+            return self.of_kernel(&generators, &matrix);
+        }
+        self.of_program()
+    }
+
+    /// A witness B λ = 0 of these generators.
+    fn of_kernel(&self, generators: &[Generator], matrix: &DMatrix<Rational>) -> Option<DVector<Rational>> {
+        let weights = kernel_witness::weights(matrix, &self.given(generators), WITNESS_STEPS)?;
+        Some(self.combined(generators, &weights))
+    }
+
+    /// A witness with Hᵀp = 0, and p·(u_free + shift).
+    fn of_mechanism(&self) -> Option<(Rational, DVector<Rational>)> {
+        let jacobian = &self.problem.dynamics()?.jacobian;
+        let hard = |generator: &Generator| generator.iter().all(|(row, _)| self.problem.row_compliance(*row) == 0.0);
+        let generators: Vec<Generator> = self.generators(true).into_iter().filter(hard).collect();
+        if generators.len() * jacobian.ncols() > WITNESS_ENTRIES {
+            return None;
+        }
+        let along =
+            |generator: &Generator, v: usize| generator.iter().fold(RBig::ZERO, |sum, (row, part)| sum + exact(jacobian[(*row, v)]) * part);
+        let matrix = DMatrix::from_fn(jacobian.ncols(), generators.len(), |v, j| along(&generators[j], v));
+        let witness = self.of_kernel(&generators, &matrix)?;
+        let still = (0..jacobian.ncols()).all(|v| {
+            let pressed = witness.iter().enumerate().filter(|(_, p)| !p.is_zero());
+            pressed.fold(RBig::ZERO, |sum, (row, p)| sum + exact(jacobian[(row, v)]) * p).is_zero()
+        });
+        let product = self.product(&witness);
+        let holds = still && product < RBig::ZERO && (0..self.problem.contacts()).all(|k| self.may_press(&witness, k));
+        holds.then_some((product, witness))
+    }
+
+    /// A witness by a linear program in fractions.
+    fn of_program(&self) -> Option<DVector<Rational>> {
+        let generators = self.generators(false);
+        let moved = self.products(&generators);
+        let (bounds, given) = (self.bounds(&moved), self.given(&generators));
+        // λ ≥ 0 of the generators and slacks s ≥ 0:   B λ + s = 0 ,   (Gᵀ free) λ = −1
+        let (n, m) = (generators.len(), bounds.len());
+        let mut system = DMatrix::from_element(m + 1, n + m, RBig::ZERO);
+        for (i, bound) in bounds.iter().enumerate() {
+            (0..n).for_each(|j| system[(i, j)] = bound[j].clone());
+            system[(i, n + i)] = RBig::ONE;
+        }
+        (0..n).for_each(|j| system[(m, j)] = given[j].clone());
+        let right = DVector::from_fn(m + 1, |i, _| if i == m { -RBig::ONE } else { RBig::ZERO });
+        let weights = nonnegative_solution(&system, &right).point()?;
+        Some(self.combined(&generators, &weights.rows(0, n).into_owned()))
+    }
+
+    /// Their products with u_free + shift.
+    fn given(&self, generators: &[Generator]) -> Vec<Rational> {
+        let free = self.free();
+        generators.iter().map(|generator| generator.iter().fold(RBig::ZERO, |sum, (row, part)| sum + part * &free[*row])).collect()
+    }
+
+    fn combined(&self, generators: &[Generator], weights: &DVector<Rational>) -> DVector<Rational> {
+        let mut witness = DVector::from_element(self.problem.rows(), RBig::ZERO);
+        for (generator, weight) in generators.iter().zip(weights.iter()) {
+            generator.iter().for_each(|(row, part)| witness[*row] += part * weight);
+        }
+        witness
+    }
+
+    fn product(&self, witness: &DVector<Rational>) -> Rational {
+        let pressed = witness.iter().zip(self.free()).filter(|(p, _)| !p.is_zero());
+        pressed.fold(RBig::ZERO, |sum, (p, q)| sum + p * q)
+    }
+
+    /// p·(u_free + shift), if p is a witness.
+    fn check(&self, witness: &DVector<Rational>) -> Option<Rational> {
+        let on_edges = self.problem.compliance().is_some_and(|soft| soft.coordinates == Coordinates::Edge);
+        if witness.len() != self.problem.rows() || on_edges {
+            return None;
+        }
+        let product = self.product(witness);
+        let obeyed = |k: usize| self.may_press(witness, k) && self.pushes_nothing(witness, k);
+        (product < RBig::ZERO && (0..self.problem.contacts()).all(obeyed)).then_some(product)
+    }
+
+    /// μ of the cone of contact k.
+    fn friction(&self, k: usize) -> Rational {
+        let problem = self.problem;
+        exact(if problem.rows_per_contact() == 1 { 0.0 } else { problem.law().cone_friction(problem.friction()[k]) })
+    }
+
+    /// Whether p ∈ P at contact k.
+    fn may_press(&self, witness: &DVector<Rational>, k: usize) -> bool {
+        let d = self.problem.rows_per_contact();
+        let p = &witness.as_slice()[k * d..(k + 1) * d];
+        if self.joined[k] {
+            return p[1..].iter().all(RBig::is_zero);
+        }
+        let mu = if self.problem.law() == Law::Associated { self.friction(k) } else { RBig::ZERO };
+        p[0] >= RBig::ZERO && squares(p) <= &mu * &mu * &p[0] * &p[0]
+    }
+
+    /// Whether −(Aᵀp)_k ∈ K_k*, or is zero at a bilateral row.
+    fn pushes_nothing(&self, witness: &DVector<Rational>, k: usize) -> bool {
+        let d = self.problem.rows_per_contact();
+        let velocity: Vec<Rational> = (k * d..(k + 1) * d).map(|column| -self.transposed(witness, column)).collect();
+        if self.joined[k] && !planted(Plant::Held) {
+            return velocity.iter().all(RBig::is_zero);
+        }
+        let mu = self.friction(k);
+        velocity[0] >= RBig::ZERO && &velocity[0] * &velocity[0] >= &mu * &mu * squares(&velocity)
+    }
+
+    /// (Aᵀp) at one row.
+    fn transposed(&self, p: &DVector<Rational>, column: usize) -> Rational {
+        let mut sum = exact(self.problem.row_compliance(column)) * &p[column];
+        self.problem.delassus().for_each_in_column(column, |row, w| {
+            if !p[row].is_zero() {
+                sum += exact(w) * &p[row];
+            }
+        });
+        sum
+    }
+
+    /// Impulses whose combinations are tried, row by row; of round cones the directions of as many contacts as a linear program takes, or
+    /// of all.
+    fn generators(&self, round: bool) -> Vec<Generator> {
+        let (problem, d) = (self.problem, self.problem.rows_per_contact());
+        let of = |k: usize| -> Vec<Generator> {
+            let mu = exact(problem.law().cone_friction(problem.friction()[k]));
+            if self.joined[k] {
+                return vec![vec![(k * d, RBig::ONE)], vec![(k * d, -RBig::ONE)]];
+            }
+            if d == 1 || problem.law() != Law::Associated || mu.is_zero() || (problem.contacts() > WITNESS_ROUND && !round) {
+                return vec![vec![(k * d, RBig::ONE)]];
+            }
+            let along = |[x, y]: [i64; 2]| {
+                let tangents = [x, y].into_iter().enumerate().take(d - 1).map(|(i, part)| (k * d + 1 + i, &mu * ratio(part, 5)));
+                [(k * d, RBig::ONE)].into_iter().chain(tangents).collect()
+            };
+            DIRECTIONS.into_iter().filter(|direction| d == 3 || direction[1] == 0).map(along).collect()
+        };
+        (0..problem.contacts()).flat_map(of).collect()
+    }
+
+    /// Aᵀ times every generator.
+    fn products(&self, generators: &[Generator]) -> Vec<DVector<Rational>> {
+        let at = |generator: &Generator, column: usize| {
+            let soft = |row: usize| if row == column { exact(self.problem.row_compliance(row)) } else { RBig::ZERO };
+            let moved = |row: usize| exact(self.problem.entry(row, column)) + soft(row);
+            generator.iter().fold(RBig::ZERO, |sum, (row, part)| sum + part * moved(*row))
+        };
+        generators.iter().map(|generator| DVector::from_fn(self.problem.rows(), |column, _| at(generator, column))).collect()
+    }
+
+    /// Rows that must not be positive: (Aᵀp)_n + μ c d·(Aᵀp)_t for directions d, where c makes the polygon contain the disk; at a bilateral
+    /// row (Aᵀp)_b and its opposite.
+    fn bounds(&self, moved: &[DVector<Rational>]) -> Vec<Vec<Rational>> {
+        let d = self.problem.rows_per_contact();
+        let mut made = Vec::new();
+        for k in 0..self.problem.contacts() {
+            let mu = self.friction(k);
+            if self.joined[k] || mu.is_zero() {
+                made.push(moved.iter().map(|w| w[k * d].clone()).collect());
+                if self.joined[k] {
+                    made.push(moved.iter().map(|w| -w[k * d].clone()).collect());
+                }
+                continue;
+            }
+            // the widest angle between directions is 53.2°, and 1/cos(26.6°) < 9/8
+            let wider = if d == 3 { ratio(9, 8) } else { RBig::ONE };
+            for [x, y] in DIRECTIONS.into_iter().filter(|direction| d == 3 || direction[1] == 0) {
+                let parts = [ratio(x, 5), ratio(y, 5)];
+                let along = |w: &DVector<Rational>| (1..d).fold(RBig::ZERO, |sum, i| sum + &parts[i - 1] * &w[k * d + i]);
+                made.push(moved.iter().map(|w| &w[k * d] + &mu * &wider * along(w)).collect());
+            }
+        }
+        made
+    }
+}
+
+/// Σ x² of the tangential components.
+fn squares(of: &[Rational]) -> Rational {
+    of[1..].iter().fold(RBig::ZERO, |sum, x| sum + x * x)
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use nalgebra::dvector;
-
-    /// A body between two walls, normals (0, ±1) with tangents along the walls, that close in at these speeds.
-    fn between(law: Law, dimension: usize, speeds: [f64; 2]) -> ContactProblem {
-        let jacobian = DMatrix::from_fn(2 * dimension, dimension, |row, column| {
-            let (wall, i) = (row / dimension, row % dimension);
-            let sign = if wall == 1 && i == 0 { -1.0 } else { 1.0 };
-            if i == column { sign } else { 0.0 }
-        });
-        let w = &jacobian * jacobian.transpose();
-        let mut free = DVector::zeros(2 * dimension);
-        (free[0], free[dimension]) = (-speeds[0], -speeds[1]);
-        if dimension > 1 {
-            (free[1], free[dimension + 1]) = (2.0, 2.0);
-        }
-        ContactProblem::new(w, free)
-            .law(law)
-            .rows_per_contact(dimension)
-            .friction(vec![if dimension > 1 { 0.5 } else { 0.0 }; 2])
-            .build()
-            .unwrap()
-    }
-
-    #[test]
-    fn walls_that_close_in_have_a_witness_and_walls_that_do_not_have_none() {
-        let round = [Law::Frictionless, Law::Coulomb, Law::Associated].map(|law| (law, 1..=3));
-        let polyhedral = [Law::PolyhedralCoulomb { directions: 4 }, Law::PolyhedralAssociated { directions: 5 }].map(|law| (law, 3..=3));
-        for (law, dimensions) in round.into_iter().chain(polyhedral) {
-            for dimension in dimensions {
-                let crushed = between(law, dimension, [1.0, 2.0_f64.powi(-40) - 1.0]);
-                let found = infeasible(&crushed).unwrap_or_else(|| panic!("{law:?} {dimension}"));
-                assert!(found.product < RBig::ZERO && check(&crushed, &found.witness) == Some(found.product.clone()));
-                assert!(infeasible(&between(law, dimension, [1.0, -1.0])).is_none(), "{law:?} {dimension}: carried along");
-            }
-        }
-    }
-
-    /// Contacts that meet no other, normal rows alone, with these diagonal entries of W and free velocities.
-    fn lone(entries: &[[f64; 2]]) -> ContactProblem {
-        let diagonal = DVector::from_iterator(entries.len(), entries.iter().map(|[w, _]| *w));
-        let free = DVector::from_iterator(entries.len(), entries.iter().map(|[_, q]| *q));
-        ContactProblem::new(DMatrix::from_diagonal(&diagonal), free).law(Law::Frictionless).rows_per_contact(1).build().unwrap()
-    }
-
-    #[test]
-    fn one_contact_that_nothing_moves_refutes_any_number_of_others() {
-        let mut entries = vec![[1.0, -1.0]; 40];
-        assert!(infeasible(&lone(&entries)).is_none());
-        entries[17] = [0.0, 2.0_f64.powi(-60)];
-        assert!(infeasible(&lone(&entries)).is_none(), "it opens");
-        entries[17] = [0.0, -(2.0_f64.powi(-60))];
-        let found = infeasible(&lone(&entries)).expect("contact 17 closes, and no impulse moves it");
-        assert_eq!(found.witness.iter().enumerate().filter(|(_, p)| !p.is_zero()).map(|(k, _)| k).collect::<Vec<_>>(), [17]);
-        let crushed = between(Law::Coulomb, 3, [1.0, 0.5]);
-        // twenty such jaws, of which the last is carried along like the others, or closes
-        let w = DMatrix::from_fn(120, 120, |i, j| if i / 6 == j / 6 { crushed.dense()[(i % 6, j % 6)] } else { 0.0 });
-        let many = |last: f64| {
-            let free = |i: usize, _| match (i, i % 6) {
-                (117, _) => last,
-                (_, 0) => -1.0,
-                (_, 3) => 1.0,
-                _ => 2.0,
-            };
-            ContactProblem::new(w.clone(), DVector::from_fn(120, free)).friction(vec![0.5; 40]).build().unwrap()
-        };
-        assert!(infeasible(&many(1.0)).is_none() && infeasible(&many(1.0 - 2.0_f64.powi(-50))).is_some());
-    }
-
-    #[test]
-    fn a_witness_that_is_none_is_not_believed() {
-        let crushed = between(Law::Coulomb, 2, [1.0, 0.5]);
-        let right = infeasible(&crushed).unwrap().witness;
-        let mut pulled = right.clone();
-        pulled[0] = -RBig::ONE;
-        let mut lopsided = right.clone();
-        lopsided[0] += ratio(1, 1 << 50);
-        let mut rubbed = right.clone();
-        rubbed[1] = ratio(1, 1 << 50);
-        for wrong in [pulled, lopsided, rubbed, DVector::from_element(4, RBig::ZERO), DVector::from_element(3, RBig::ONE)] {
-            assert_eq!(check(&crushed, &wrong), None, "{wrong:?}");
-        }
-        assert!(check(&crushed, &(right * ratio(1, 3))).is_some(), "its length does not matter");
-    }
-
-    #[test]
-    fn painleve_s_block_is_feasible_and_has_no_witness() {
-        let w = DMatrix::from_row_slice(2, 2, &[1.0, 2.0, 2.0, 5.0]);
-        let problem = ContactProblem::new(w, dvector![-1.0, 1.0]).rows_per_contact(2).friction(vec![1.0]).build().unwrap();
-        assert!(infeasible(&problem).is_none());
-    }
-}
+#[path = "infeasible_tests.rs"]
+mod tests;

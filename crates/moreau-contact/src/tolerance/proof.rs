@@ -77,7 +77,8 @@ pub const EXACT_ROWS: usize = 40;
 /// Set.
 pub const WEIGHTS: [f64; 7] = [1.0, 0.5, 2.0, 0.25, 4.0, 0.125, 8.0];
 
-/// Most contacts of a problem for which a witness is searched by a linear program in fractions: seconds at most.
+/// Most contacts of a problem for which a witness is searched by a linear program in fractions, which finds one if there is one: seconds at
+/// most. Of more contacts it is looked for among impulses that move nothing ([`WITNESS_ENTRIES`]).
 /// Set.
 pub const WITNESS_CONTACTS: usize = 12;
 
@@ -85,6 +86,23 @@ pub const WITNESS_CONTACTS: usize = 12;
 /// of eight contacts take more than a minute. Beyond, it is searched among normal impulses.
 /// Set.
 pub const WITNESS_ROUND: usize = 3;
+
+/// Most entries of the matrix in whose kernel a witness is looked for where there are more contacts: rows times generators, as of 290
+/// contacts in space; its least squares take seconds.
+/// Set.
+pub const WITNESS_ENTRIES: usize = 1 << 18;
+
+/// Most generators that may be brought in for such a witness: a cycle of more bodies than this is not found.
+/// Set.
+pub const WITNESS_STEPS: usize = 160;
+
+/// Part of the largest weight of such a witness, in rounded numbers, up to which a generator is taken for one that takes no part, 2⁻⁴⁰.
+/// Set.
+pub const TAKES_PART: f64 = 1.0 / (1_u64 << 40) as f64;
+
+/// How often generators with a negative weight are left out and the weights of the others are looked for again.
+/// Set.
+pub const WITNESS_DROPS: usize = 8;
 
 /// Most Σ n³ over islands of n contacts among which a witness is searched: as much work as eight islands of the largest size.
 /// Set.

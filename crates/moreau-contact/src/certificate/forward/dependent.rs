@@ -7,14 +7,19 @@
 //! equations of D follow from those of B. Compliant rows are independent of all others: in M̂ and H each has a column of its own.
 
 use super::pattern::{Contact, ContactState, pressed_rows};
-use super::planted::{Plant, planted};
 use super::reason::Reason;
+use crate::certificate::planted::{Plant, planted};
 use crate::certificate::rank::{Entry, rank, surely_independent};
 use crate::problem::ContactProblem;
 use crate::tolerance::proof::dependent_pivot;
 
 /// Rows to leave out so that the others are independent and the equations of those left out follow from theirs.
-pub(super) fn dependent_rows(problem: &ContactProblem, contacts: &[Contact], states: &[ContactState]) -> Result<Vec<usize>, Reason> {
+pub(super) fn dependent_rows(
+    problem: &ContactProblem,
+    contacts: &[Contact],
+    states: &[ContactState],
+    name: &dyn Fn(usize) -> String,
+) -> Result<Vec<usize>, Reason> {
     let linear: Vec<usize> =
         (0..contacts.len()).flat_map(|k| k * contacts[k].rows..k * contacts[k].rows + contacts[k].linear_rows(states[k])).collect();
     let rows = entries(problem, &linear, &pressed_rows(contacts, states));
@@ -32,8 +37,8 @@ pub(super) fn dependent_rows(problem: &ContactProblem, contacts: &[Contact], sta
     let with_free: Vec<Vec<Entry>> = rows.iter().zip(&linear).map(|(row, at)| [row.as_slice(), &[free(problem, *at)]].concat()).collect();
     if rank(&with_free).ok_or_else(too_long)? != independent && !planted(Plant::Rank) {
         let row = linear[left[0]];
-        let contact = row / problem.rows_per_contact();
-        return Err(refused(format!("rows that depend exactly on others have free velocities that do not (contact {contact})"), Some(row)));
+        let place = name(row / problem.rows_per_contact());
+        return Err(refused(format!("rows that depend exactly on others have free velocities that do not ({place})"), Some(row)));
     }
     let mut dependent: Vec<usize> = left.iter().map(|place| linear[*place]).collect();
     dependent.sort_unstable();

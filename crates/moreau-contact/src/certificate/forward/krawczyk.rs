@@ -10,8 +10,8 @@
 
 use super::affine::{Affine, times};
 use super::pattern::{Contact, ContactState, Equations, of, places};
-use super::planted::{Plant, planted};
 use crate::certificate::interval::Interval;
+use crate::certificate::planted::{Plant, planted};
 use crate::tolerance::proof::{BOXES, CORRECTIONS, ENTRY, INFLATION, SMALLEST_BOX, enlarged, product};
 use nalgebra::{DMatrix, DVector};
 

@@ -18,13 +18,13 @@ mod dependent;
 mod krawczyk;
 mod mechanism;
 mod pattern;
-mod planted;
 mod reason;
 #[cfg(test)]
 mod tests;
 
 use super::interval::Interval;
-use crate::problem::{ContactProblem, Coordinates, Law, Solution};
+use super::planted::{Plant, planted};
+use crate::problem::{ByRows, ContactProblem, Coordinates, Law, Solution};
 use crate::tolerance::proof::{PATTERNS, ROWS, enlarged};
 use affine::Affine;
 pub(super) use affine::times;
@@ -34,7 +34,6 @@ pub(super) use mechanism::uncertainty;
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
 use pattern::{Contact, of, pressed_rows, read_off};
-use planted::{Plant, planted};
 
 pub use pattern::ContactState;
 pub use reason::Reason;
@@ -113,7 +112,16 @@ pub fn forward(problem: &ContactProblem, answer: &Solution) -> Result<Forward> {
         let text = format!("the law `{}` is proved as a linear complementarity problem, not here", problem.law().name());
         return Ok(Forward::refused(text, None));
     }
-    Ok(Proof::new(problem, answer).run())
+    Ok(Proof::new(problem, answer, None).run())
+}
+
+/// The same of a problem whose contacts may stand for bilateral rows; all numbers are finite, and as many as there are rows.
+pub(super) fn of_rows(rows: &ByRows, answer: &Solution) -> Forward {
+    let problem = rows.contacts();
+    if problem.law().directions().is_some() {
+        return Forward::refused(format!("the law `{}` has no proof of a solution near beside joints", problem.law().name()), None);
+    }
+    Proof::new(problem, answer, Some(rows)).run()
 }
 
 /// A proof under way.
@@ -121,6 +129,7 @@ struct Proof<'a> {
     problem: &'a ContactProblem,
     answer: &'a Solution,
     contacts: Vec<Contact>,
+    joints: Option<&'a ByRows>,
     /// How far W may be from the stored one.
     radius: Option<DMatrix<f64>>,
 }
@@ -139,10 +148,16 @@ enum Ended {
 }
 
 impl<'a> Proof<'a> {
-    fn new(problem: &'a ContactProblem, answer: &'a Solution) -> Self {
+    fn new(problem: &'a ContactProblem, answer: &'a Solution, joints: Option<&'a ByRows>) -> Self {
         let radius = mechanism::uncertainty(problem);
-        let contacts = (0..problem.contacts()).map(|k| Contact::new(problem, k)).collect();
-        Proof { problem, answer, contacts, radius }
+        let joined = |k: usize| joints.is_some_and(|joints| joints.is_joined(k) && !planted(Plant::Joined));
+        let contacts = (0..problem.contacts()).map(|k| Contact::new(problem, k, joined(k))).collect();
+        Proof { problem, answer, contacts, joints, radius }
+    }
+
+    /// A contact in messages: with joints a constraint, by its place in the `kinds`.
+    fn name(&self, contact: usize) -> String {
+        self.joints.map_or_else(|| format!("contact {contact}"), |joints| format!("constraint {}", joints.constraint(contact)))
     }
 
     fn run(&self) -> Forward {
@@ -181,14 +196,16 @@ impl<'a> Proof<'a> {
             ContactState::Pressing => "pressing and opening",
             ContactState::Sticking => "sticking and sliding or opening",
             ContactState::Sliding | ContactState::Undecided => "sliding and sticking or opening",
+            ContactState::Joined => "its joint and none",
         };
-        format!("contact {contact} is on the border between {between}")
+        let contact = self.name(contact);
+        format!("{contact} is on the border between {between}")
     }
 
     /// Takes the impulses of exactly dependent rows as given.
     fn with_dependent_rows(&self, states: &[ContactState], impulse: &[f64], contact: usize) -> Forward {
         let rows = self.problem.rows_per_contact();
-        match dependent::dependent_rows(self.problem, &self.contacts, states) {
+        match dependent::dependent_rows(self.problem, &self.contacts, states, &|k| self.name(k)) {
             Err(reason) => Forward::NotProved(reason),
             Ok(dependent) if dependent.is_empty() => {
                 let what = if states[contact] == ContactState::Undecided {
@@ -196,24 +213,25 @@ impl<'a> Proof<'a> {
                 } else {
                     "nearly dependent on others"
                 };
-                Forward::refused(format!("the equations of contact {contact} are {what}"), contact)
+                Forward::refused(format!("the equations of {} are {what}", self.name(contact)), contact)
             }
             Ok(dependent) => match self.attempt(states, impulse, &dependent) {
                 Ended::Proved(radius) => Forward::Proved(radius),
                 Ended::NotEnclosed(contact) => {
                     let text = format!(
-                        "{} rows depend exactly on others, and the equations of contact {contact} are nearly dependent besides",
-                        dependent.len()
+                        "{} rows depend exactly on others, and the equations of {} are nearly dependent besides",
+                        dependent.len(),
+                        self.name(contact)
                     );
                     Forward::refused(text, contact)
                 }
                 Ended::Undecided { contacts, .. } => {
                     let k = contacts[0];
                     let text = format!(
-                        "{}, where {} rows depend exactly on others (the first at contact {})",
+                        "{}, where {} rows depend exactly on others (the first at {})",
                         self.border(k, states),
                         dependent.len(),
-                        dependent[0] / rows
+                        self.name(dependent[0] / rows)
                     );
                     Forward::refused(text, k)
                 }

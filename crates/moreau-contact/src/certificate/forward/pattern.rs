@@ -6,6 +6,7 @@
 //!     sticking    y = 0                                                         r_n ≥ 0 ,  ‖r_t‖² ≤ μ² r_n²
 //!     sliding     y_n = 0  (associated: y_n = μ‖y_t‖) ,                         r_n ≥ 0 ,  y_t ≠ 0
 //!                 r_t + μ r_n y_t/‖y_t‖ = 0
+//!     joined      y = 0        (a bilateral row)                                always
 //!     undecided   r_n = max(z_n, 0) ,  r_t = P(z_t) onto the disk of radius μ max(z_n, 0) ,  z = r − ρ y ,   always
 //! ```
 //! The equations of a decided contact are smooth; where its inequalities hold strictly, a solution of the equations solves the law. An
@@ -29,6 +30,8 @@ pub enum ContactState {
     Sliding,
     /// On the border between two of these.
     Undecided,
+    /// A bilateral constraint: any impulse, and no velocity.
+    Joined,
 }
 
 /// Interval blocks of one contact: value and derivatives of its equations, by r, by y, and by z = r − ρ y.
@@ -47,19 +50,21 @@ pub(super) struct Contact {
     pub rows: usize,
     /// ρ_n, ρ_t \[kg\].
     pub weights: [f64; 2],
+    /// Whether it is a bilateral row, of which the first of its rows alone says something.
+    pub joined: bool,
 }
 
 const ZERO: Interval = Interval::ZERO;
 
 impl Contact {
-    /// Contact k of a problem, ρ from the diagonal of A.
-    pub fn new(problem: &ContactProblem, k: usize) -> Self {
+    /// Contact k of a problem, or the bilateral row that it stands for, ρ from the diagonal of A.
+    pub fn new(problem: &ContactProblem, k: usize, joined: bool) -> Self {
         let rows = problem.rows_per_contact();
         let entry = |row: usize| problem.entry(k * rows + row, k * rows + row) + problem.row_compliance(k * rows + row);
         let inverse = |diagonal: f64| if diagonal > 0.0 { 1.0 / diagonal } else { 1.0 };
         let tangential = (1..rows).map(entry).fold(0.0, f64::max);
         let friction = if rows == 1 { 0.0 } else { problem.law().cone_friction(problem.friction()[k]) };
-        Contact { law: problem.law(), friction, rows, weights: [inverse(entry(0)), inverse(tangential)] }
+        Contact { law: problem.law(), friction, rows, weights: [inverse(entry(0)), inverse(tangential)], joined }
     }
 
     /// The case nearest to r and y.
@@ -69,6 +74,7 @@ impl Contact {
         let lift = if self.law == Law::Associated { self.friction * slip } else { 0.0 };
         let pushed = (1..self.rows).map(|i| r[i] - tangential * y[i]).fold(0.0_f64, f64::hypot);
         match self.friction {
+            _ if self.joined => ContactState::Joined,
             _ if r[0] <= normal * (y[0] - lift) || r[0] <= 0.0 => ContactState::Open,
             0.0 => ContactState::Pressing,
             mu if pushed > mu * r[0] && slip > 0.0 => ContactState::Sliding,
@@ -80,7 +86,7 @@ impl Contact {
     pub fn unknowns(&self, state: ContactState) -> usize {
         match state {
             ContactState::Open => 0,
-            ContactState::Pressing => 1,
+            ContactState::Pressing | ContactState::Joined => 1,
             ContactState::Undecided if self.friction == 0.0 => 1,
             _ => self.rows,
         }
@@ -90,7 +96,7 @@ impl Contact {
     pub fn linear_rows(&self, state: ContactState) -> usize {
         match state {
             ContactState::Sticking => self.rows,
-            ContactState::Pressing => 1,
+            ContactState::Pressing | ContactState::Joined => 1,
             ContactState::Sliding if self.law != Law::Associated => 1,
             _ => 0,
         }
@@ -102,7 +108,7 @@ impl Contact {
         let mut made = Equations { value: [ZERO; 3], by_impulse: none, by_velocity: none, by_pushed: none };
         match state {
             ContactState::Open => {}
-            ContactState::Pressing | ContactState::Sticking => {
+            ContactState::Pressing | ContactState::Sticking | ContactState::Joined => {
                 for (i, y) in y.iter().enumerate().take(self.unknowns(state)) {
                     made.value[i] = *y;
                     made.by_velocity[i][i] = Interval::ONE;
@@ -203,7 +209,7 @@ impl Contact {
             ContactState::Pressing => pushes,
             ContactState::Sticking => pushes && (mu_squared * r[0].square() - squares(r)).low >= 0.0,
             ContactState::Sliding => pushes && squares(y).low > 0.0,
-            ContactState::Undecided => true,
+            ContactState::Undecided | ContactState::Joined => true,
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Proofs on problems whose solution is known in fractions, and attempts to obtain a wrong one.
 
-use super::planted::with;
 use super::*;
 use crate::certificate::backward::backward;
+use crate::certificate::planted::with;
 use crate::tolerance::sharpness::{EXCESS, FAR, FEW, MANY, NEAR, REDUNDANT, SOME, roundings};
 use moreau_exact::scalar::{Rational, exact};
 use nalgebra::{DVector, dvector};

@@ -13,7 +13,6 @@
 mod arc;
 mod bounds;
 mod candidate;
-mod least;
 mod piece;
 mod separation;
 mod system;

@@ -8,10 +8,10 @@
 //! sliding one at the corners of its arc. Neither W nor its columns need be regular.
 
 use super::arc::dot;
-use super::least::nonnegative;
 use super::piece::{Data, Doing};
 use crate::certificate::interval::Interval;
-use crate::tolerance::proof::{FACETS, MARGIN, SEPARATED};
+use crate::certificate::least::nonnegative;
+use crate::tolerance::proof::{FACETS, LEAST_STEPS, MARGIN, SEPARATED};
 use nalgebra::{DMatrix, DVector};
 
 /// Whether a separating vector is found and proved.
@@ -38,13 +38,13 @@ pub(super) fn separated(data: &Data, piece: &[Doing]) -> bool {
     });
     let free = DVector::from_iterator(rows.len(), rows.iter().map(|row| data.free[*row].middle()));
     let columns = |of: &[DVector<f64>]| DMatrix::from_fn(rows.len(), of.len(), |i, j| of[j][i]);
-    let (_, residual) = nonnegative(&columns(&generators), &free);
+    let (_, residual) = nonnegative(&columns(&generators), &free, LEAST_STEPS);
     if residual.norm().is_nan() || residual.norm() <= SEPARATED * free.norm() {
         return false;
     }
     let towards = residual.normalize() * MARGIN;
     generators.iter_mut().for_each(|generator| *generator += &towards);
-    let (_, residual) = nonnegative(&columns(&generators), &free);
+    let (_, residual) = nonnegative(&columns(&generators), &free, LEAST_STEPS);
     let mut vector = vec![0.0; data.free.len()];
     rows.iter().zip(residual.iter()).for_each(|(row, part)| vector[*row] = *part);
     proves(data, piece, &vector)

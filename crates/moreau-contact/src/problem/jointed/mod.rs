@@ -10,11 +10,15 @@
 //! impulses are given: [`unilateral`](JointedProblem::unilateral) makes it. A limit is there a contact without friction; its tangential
 //! rows, where contacts have some, move nothing else and have no velocity.
 
+mod by_rows;
+
 use super::contact_problem::{finite, not_negative, two_bodies};
-use super::{Compliance, ContactKey, ContactProblem, Coordinates, Law};
+use super::{Compliance, ContactKey, ContactProblem, ContactProblemBuilder, Coordinates, Law};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
+
+pub(crate) use by_rows::ByRows;
 
 /// What a constraint of a [`JointedProblem`] is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -247,16 +251,24 @@ impl JointedProblem {
     /// [`Error::Invalid`] where the law does not fit the rows of a contact.
     pub fn unilateral(&self, delassus: &DMatrix<f64>, free_velocity: &DVector<f64>) -> Result<ContactProblem> {
         let pushing = self.pushing();
-        let places = self.places(&pushing);
-        let size = pushing.len() * self.rows_per_contact;
+        self.of_units(&self.units(&pushing), delassus, free_velocity)
+            .bodies(self.bodies.as_ref().map(|bodies| pushing.iter().map(|k| bodies[*k]).collect::<Vec<_>>()))
+            .keys(self.keys.as_ref().map(|keys| pushing.iter().map(|k| keys[*k]).collect::<Vec<_>>()))
+            .build()
+    }
+
+    /// The contact problem of these rows, each with the constraint that it is of: as many as a contact has, or one, beside which rows stand
+    /// that move nothing else.
+    fn of_units(&self, units: &[(usize, Range<usize>)], delassus: &DMatrix<f64>, free_velocity: &DVector<f64>) -> ContactProblemBuilder {
+        let (places, size) = (self.places(units), units.len() * self.rows_per_contact);
         let mut w = DMatrix::zeros(size, size);
         for (from, to) in &places {
             places.iter().for_each(|(column, at)| w[(*to, *at)] = delassus[(*from, *column)]);
         }
-        for (i, _) in pushing.iter().enumerate().filter(|(_, k)| self.kinds[**k] == ConstraintKind::Limit) {
+        for (i, (_, rows)) in units.iter().enumerate() {
             let first = i * self.rows_per_contact;
             let own = if w[(first, first)] > 0.0 { w[(first, first)] } else { 1.0 };
-            (first + 1..first + self.rows_per_contact).for_each(|row| w[(row, row)] = own);
+            (first + rows.len()..first + self.rows_per_contact).for_each(|row| w[(row, row)] = own);
         }
         let spread = |all: &DVector<f64>| {
             let mut spread = DVector::zeros(size);
@@ -269,25 +281,22 @@ impl JointedProblem {
             .name(self.name.clone())
             .law(self.law)
             .rows_per_contact(self.rows_per_contact)
-            .friction(pushing.iter().map(|k| self.friction[*k]).collect())
+            .friction(units.iter().map(|(k, _)| self.friction[*k]).collect())
             .shift(spread(&self.shift))
             .compliance(compliance)
-            .bodies(self.bodies.as_ref().map(|bodies| pushing.iter().map(|k| bodies[*k]).collect::<Vec<_>>()))
-            .keys(self.keys.as_ref().map(|keys| pushing.iter().map(|k| keys[*k]).collect::<Vec<_>>()))
-            .build()
     }
 
     /// Numbers of all rows as those of [`unilateral`](Self::unilateral), 0 at the tangential rows of limits.
     pub fn spread(&self, all: &DVector<f64>) -> DVector<f64> {
         let pushing = self.pushing();
         let mut spread = DVector::zeros(pushing.len() * self.rows_per_contact);
-        self.places(&pushing).iter().for_each(|(from, to)| spread[*to] = all[*from]);
+        self.places(&self.units(&pushing)).iter().for_each(|(from, to)| spread[*to] = all[*from]);
         spread
     }
 
     /// Puts numbers of [`unilateral`](Self::unilateral) to their rows in those of all.
     pub fn gather(&self, spread: &DVector<f64>, all: &mut DVector<f64>) {
-        self.places(&self.pushing()).iter().for_each(|(to, from)| all[*to] = spread[*from]);
+        self.places(&self.units(&self.pushing())).iter().for_each(|(to, from)| all[*to] = spread[*from]);
     }
 
     /// Refuses a list that has not one number per row.
@@ -299,10 +308,17 @@ impl JointedProblem {
         require(field, size, rows, &format!("the rows of the {} `kinds`", self.kinds.len()))
     }
 
+    /// Constraints with all of their rows.
+    fn units(&self, constraints: &[usize]) -> Vec<(usize, Range<usize>)> {
+        constraints.iter().map(|k| (*k, self.rows_of(*k))).collect()
+    }
+
     /// Row of all, row of the contact problem.
-    fn places(&self, pushing: &[usize]) -> Vec<(usize, usize)> {
-        let own = |(i, k): (usize, &usize)| self.rows_of(*k).enumerate().map(move |(row, at)| (at, i * self.rows_per_contact + row));
-        pushing.iter().enumerate().flat_map(own).collect()
+    fn places(&self, units: &[(usize, Range<usize>)]) -> Vec<(usize, usize)> {
+        let own = |(i, (_, rows)): (usize, &(usize, Range<usize>))| {
+            rows.clone().enumerate().map(move |(row, at)| (at, i * self.rows_per_contact + row)).collect::<Vec<_>>()
+        };
+        units.iter().enumerate().flat_map(own).collect()
     }
 
     fn require_one_each(&self, field: &str, size: usize) -> Result<()> {

@@ -5,16 +5,16 @@
 //! ```
 //! The active-set method of Lawson and Hanson (*Solving Least Squares Problems*, 1974, ch. 23).
 
-use crate::tolerance::proof::{LEAST_STEPS, SMALLEST_GAIN};
+use crate::tolerance::proof::SMALLEST_GAIN;
 use nalgebra::{DMatrix, DVector};
 
-/// x and b − A x.
-pub(super) fn nonnegative(matrix: &DMatrix<f64>, right: &DVector<f64>) -> (DVector<f64>, DVector<f64>) {
+/// x and b − A x after so many steps at most; each brings in a column.
+pub(super) fn nonnegative(matrix: &DMatrix<f64>, right: &DVector<f64>, steps: usize) -> (DVector<f64>, DVector<f64>) {
     let n = matrix.ncols();
     let (mut x, mut passive) = (DVector::zeros(n), vec![false; n]);
     let sizes: Vec<f64> = matrix.column_iter().map(|column| column.norm()).collect();
     let mut residual = right.clone();
-    for _ in 0..LEAST_STEPS {
+    for _ in 0..steps {
         let gain = |j: usize| matrix.column(j).dot(&residual) / (sizes[j] * right.norm());
         let free = (0..n).filter(|j| !passive[*j] && sizes[*j] > 0.0);
         let Some(entering) = free.max_by(|i, j| gain(*i).total_cmp(&gain(*j))) else { break };
@@ -62,11 +62,11 @@ mod tests {
     #[test]
     fn the_residual_separates_where_the_vector_is_outside_of_the_cone_and_vanishes_inside() {
         let cone = DMatrix::from_row_slice(3, 4, &[1.0, 1.0, 1.0, 1.0, 1.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0, -1.0]);
-        let (x, residual) = nonnegative(&cone, &dvector![2.0, 0.5, -0.25]);
+        let (x, residual) = nonnegative(&cone, &dvector![2.0, 0.5, -0.25], 9);
         assert!(residual.norm() < 1e-14 && x.iter().all(|x| *x >= 0.0));
-        let (_, residual) = nonnegative(&cone, &dvector![0.5, 2.0, 1.0]);
+        let (_, residual) = nonnegative(&cone, &dvector![0.5, 2.0, 1.0], 9);
         assert!((cone.transpose() * &residual).max() < 1e-14 && residual.dot(&dvector![0.5, 2.0, 1.0]) > 1.0);
-        let (x, residual) = nonnegative(&cone, &dvector![-1.0, 0.0, 0.0]);
+        let (x, residual) = nonnegative(&cone, &dvector![-1.0, 0.0, 0.0], 9);
         assert_eq!((x.amax(), residual[0]), (0.0, -1.0), "the apex");
     }
 }

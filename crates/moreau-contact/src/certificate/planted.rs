@@ -1,6 +1,6 @@
-//! Mistakes planted in the proof, for tests alone: each is caught by solutions that are known without it.
+//! Mistakes planted in the proofs, for tests alone: each is caught by solutions that are known without them.
 
-/// A mistake in the proof.
+/// A mistake in a proof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Plant {
     /// |F(x̃)| is left out of the radius that is needed.
@@ -15,6 +15,16 @@ pub(super) enum Plant {
     Radius,
     /// Rows that depend on others are left out whatever their free velocities are.
     Rank,
+    /// A pair of a polyhedral law is believed without asking the law.
+    Law,
+    /// δ is that of the given impulses, not of those near them that obey the law.
+    Moved,
+    /// δ is rounded inward.
+    Inward,
+    /// A bilateral row is taken for a limit.
+    Joined,
+    /// Impulses of joints in a witness may move the joints.
+    Held,
 }
 
 /// Whether this mistake is made: never outside of tests.
