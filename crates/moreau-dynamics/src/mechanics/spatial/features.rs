@@ -6,7 +6,8 @@
 //!     sphere, box    φ = signed distance of the centre from the box − r
 //! ```
 //! Every gap is a distance between material features (corner, edge, face, centre), so its time derivative is exactly
-//! n · (v_first − v_second) at the two points; parallel faces of two boxes share a normal, see `faces`.
+//! n · (v_first − v_second) at the two points; parallel faces share a normal, see `faces`. Capsules and cylinders are in `round` and
+//! `cylinders`.
 
 use super::boxes::box_box;
 use super::cylinders::{capsule_cylinder, cylinder_box, cylinders};
