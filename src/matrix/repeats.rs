@@ -13,6 +13,7 @@ pub const REPEATS: &[(&str, &str)] = &[
     ("metamorphic/damping-in-the-world", "flight/undeclared-damping"),
     ("metamorphic/friction-along-axes", "isotropy/boxed-friction"),
     ("cone-projection/box", "isotropy/boxed-friction"),
+    ("round/cylinders-pass-through", "round/sides-pass-through"),
     ("incline/undeclared-relaxation", "solver/convex-relaxation"),
     ("incline/friction-root-two", "incline/friction-squared"),
     ("scheme/half-friction", "incline/friction-squared"),

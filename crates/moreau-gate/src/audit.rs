@@ -7,9 +7,12 @@
 //!     gap ≥ −h max‖u‖                                  rigid: a contact is seen one step late at worst
 //!     T + V ≤ (T + V)_0 + ½ h Σ m ‖g‖ max‖v‖           the invariant of semi-implicit steps is off by ½ h m g·v
 //! ```
+//! A body that nothing moves has no momentum that changes: its velocity is the prescribed one. One that is driven does work on what it
+//! touches, and then the energy says nothing.
 
 use crate::description::Friction;
 use crate::tolerance::audit_rounding;
+use crate::tolerance::conveyor::belt_speed;
 use crate::{CheckOutcome, Description, Expectation, Kind, Measurement, Refusal, Reply, StepOutcome};
 use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::trajectory::Trajectory;
@@ -25,6 +28,7 @@ fn measurements(trajectory: &Trajectory, description: &Description) -> Reply<Vec
     let states: Vec<State> = (0..trajectory.times.len()).map(|k| state(trajectory, k)).collect();
     let epsilon = description.precision.epsilon();
     let mut found = vec![beginning(&start, &states[0], epsilon)];
+    found.extend(unmoved(trajectory, epsilon));
     if description.reports_contacts {
         found.push(momentum(trajectory, epsilon));
         found.extend(cone(trajectory, description, epsilon));
@@ -32,8 +36,27 @@ fn measurements(trajectory: &Trajectory, description: &Description) -> Reply<Vec
     if description.contact_model.kind == Kind::Rigid {
         found.extend(overlap(mechanism.as_ref(), &states, trajectory.time_step, epsilon));
     }
-    found.push(energy(trajectory, mechanism.as_ref(), &states, epsilon));
+    if trajectory.scene.bodies.iter().all(|body| body.is_free() || body.velocities() == [[0.0; 3]; 2]) {
+        found.push(energy(trajectory, mechanism.as_ref(), &states, epsilon));
+    }
     Ok(found)
+}
+
+/// Bodies that nothing moves keep the velocities that are prescribed, 0 if they are static; a report may be a difference of places.
+fn unmoved(trajectory: &Trajectory, epsilon: f64) -> Option<Measurement> {
+    let (mut worst, mut allowed) = (None, 0.0f64);
+    for (track, body) in trajectory.bodies.iter().zip(&trajectory.scene.bodies).filter(|(_, body)| !body.is_free()) {
+        let given = body.velocities().map(Vector3::from);
+        for k in 0..trajectory.times.len() {
+            let found = [track.linear_velocity[k], track.angular_velocity[k]].map(Vector3::from);
+            let off = (found[0] - given[0]).norm().max((found[1] - given[1]).norm());
+            worst = Some(off.max(worst.unwrap_or(0.0)));
+            let size = Vector3::from(track.position[k]).norm() + 1.0;
+            allowed = allowed.max(belt_speed(epsilon, given[0].norm().max(given[1].norm()), size, trajectory.time_step));
+        }
+    }
+    let ideal = Expectation::equal(0.0, allowed, "what nothing moves has the velocities that are prescribed");
+    worst.map(|off| Measurement::new("velocity of a body that nothing moves, off the prescribed one", "m/s", off, ideal))
 }
 
 /// Sample k as a state of the spatial mechanism, whose angular velocities are those of the body axes.
@@ -67,7 +90,7 @@ fn beginning(scene: &State, sample: &State, epsilon: f64) -> Measurement {
 fn momentum(trajectory: &Trajectory, epsilon: f64) -> Measurement {
     let gravity = Vector3::from(trajectory.scene.gravity);
     let (mut worst, mut scale) = (0.0f64, 0.0f64);
-    for (track, body) in trajectory.bodies.iter().zip(&trajectory.scene.bodies) {
+    for (track, body) in trajectory.bodies.iter().zip(&trajectory.scene.bodies).filter(|(_, body)| body.is_free()) {
         for k in 1..trajectory.times.len() {
             let duration = trajectory.times[k] - trajectory.times[k - 1];
             let change = body.mass * (Vector3::from(track.linear_velocity[k]) - Vector3::from(track.linear_velocity[k - 1]));
@@ -132,7 +155,7 @@ fn energy(trajectory: &Trajectory, mechanism: &dyn Mechanism, states: &[State], 
     let gravity = Vector3::from(trajectory.scene.gravity).norm();
     let fastest =
         |track: &moreau_dynamics::trajectory::BodyTrack| track.linear_velocity.iter().map(|v| Vector3::from(*v).norm()).fold(0.0, f64::max);
-    let bodies = trajectory.scene.bodies.iter().zip(&trajectory.bodies);
+    let bodies = trajectory.scene.bodies.iter().zip(&trajectory.bodies).filter(|(body, _)| body.is_free());
     let swing: f64 = bodies.map(|(body, track)| 0.5 * trajectory.time_step * body.mass * gravity * fastest(track)).sum();
     let size =
         states.iter().map(|state| mechanism.kinetic_energy(state) + mechanism.potential_energy(&state.position).abs()).fold(0.0, f64::max);
@@ -145,7 +168,7 @@ fn energy(trajectory: &Trajectory, mechanism: &dyn Mechanism, states: &[State], 
 mod tests {
     use super::*;
     use crate::{Engine, Options, Verdict, own};
-    use moreau_dynamics::scenes::{PairOverride, named};
+    use moreau_dynamics::scenes::{Body, PairOverride, Scene, named};
 
     fn ours(scene: &str) -> (Trajectory, Description) {
         let mut engine = own::by_name("moreau-jean").expect("built in");
@@ -166,6 +189,59 @@ mod tests {
         for scene in ["bouncing-ball", "incline-slide", "box-stack", "two-ball-impact"] {
             let (trajectory, description) = ours(scene);
             assert_eq!(bad(&trajectory, &description), [""; 0], "{scene}");
+        }
+    }
+
+    /// A box on a belt that runs, or on a slab that stays, beside a box on the floor.
+    fn carried(runs: bool) -> (Trajectory, Description) {
+        let mut engine = own::by_name("moreau-jean").expect("built in");
+        let load = Body::cuboid("load", 2.0, [0.2, 0.2, 0.05], [0.0, 0.0, 0.15]);
+        let other = Body::cuboid("other", 1.0, [0.1; 3], [9.0, 0.0, 0.1]);
+        let belt = Body::cuboid("belt", 1.0, [4.0, 1.0, 0.05], [0.0, 0.0, 0.05]);
+        let belt = if runs { belt.driven([0.5, 0.0, 0.0]) } else { belt.fixed() };
+        let scene = Scene { bodies: vec![load, belt, other], duration: 0.5, ..named("box-stack").expect("built in") };
+        let trajectory = engine.simulate(&scene, 0.01, 1, &Options::new()).expect("simulates");
+        (trajectory, engine.describe(&Options::new()).expect("describes itself"))
+    }
+
+    #[test]
+    fn bodies_that_nothing_moves_raise_no_alarm_and_hide_none() {
+        type Change = fn(&mut Trajectory);
+        for runs in [false, true] {
+            let (trajectory, description) = carried(runs);
+            assert_eq!(bad(&trajectory, &description), [""; 0], "runs: {runs}");
+            let mistakes: [(&str, Change); 4] = [
+                ("velocity of a body that nothing moves", |t| t.bodies[1].linear_velocity[3][1] += 0.125),
+                ("velocity of a body that nothing moves", |t| t.bodies[1].angular_velocity[50][2] += 0.125),
+                ("momentum not accounted for", |t| t.bodies[2].linear_velocity[3][1] += 1.0),
+                ("energy above the start", |t| t.bodies[2].linear_velocity[3][2] += 100.0),
+            ];
+            for (name, mistake) in mistakes {
+                let (mut trajectory, description) = (trajectory.clone(), description.clone());
+                mistake(&mut trajectory);
+                let found = bad(&trajectory, &description);
+                // a belt may give energy, and is not held to give none
+                let expected = !(runs && name.starts_with("energy"));
+                assert_eq!(found.iter().any(|text| text.starts_with(name)), expected, "{name}: {found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn every_contact_and_every_report_is_looked_at() {
+        // the ball beside the pile comes last: its contact with the floor is the last candidate of all
+        let (mut trajectory, description) = ours("box-stack");
+        let last = trajectory.bodies.len() - 1;
+        for track in &mut trajectory.bodies {
+            track.position.iter_mut().for_each(|place| place[2] += 0.001);
+        }
+        trajectory.bodies[last].position.iter_mut().for_each(|place| place[2] -= 0.5);
+        assert!(bad(&trajectory, &description).iter().any(|text| text.starts_with("smallest gap")));
+        for place in [0, trajectory.contacts.len() - 1] {
+            let (mut trajectory, description) = ours("incline-slide");
+            let place = place.min(trajectory.contacts.len() - 1);
+            trajectory.contacts[place].impulse[0] -= 100.0;
+            assert!(bad(&trajectory, &description).iter().any(|text| text.starts_with("friction outside the cone")), "{place}");
         }
     }
 

@@ -45,6 +45,7 @@ fn a_worse_value_is_a_regression_on_the_far_side_of_the_noise_only() {
     assert_eq!(kinds(&value(0.25, 0.0), &value(0.25 + 0.9 * NEWS, 0.0)), []);
     assert_eq!(kinds(&value(0.25, 0.0), &value(0.25 + 1.1 * NEWS, 0.0)), [ChangeKind::Regression]);
     assert_eq!(kinds(&value(0.25, 0.01), &value(0.25 + 0.01 * SPREADS, 0.0)), []);
+    assert_eq!(kinds(&value(0.25, 0.0), &value(0.25 + 0.01 * SPREADS, 0.01)), [], "the run's own spread");
     assert_eq!(kinds(&value(0.25, 0.0), &value(0.125, 0.0)), [ChangeKind::Improvement]);
     assert_eq!(kinds(&value(0.25, 0.0), &value(-0.25, 0.0)), [], "as bad as before, on the other side");
 }

@@ -1,4 +1,4 @@
-//! An engine that answers with a motion in closed form: what a check must pass before anything else.
+//! An engine that answers with a motion in closed form, which a check must pass before anything else, and ours with changed reports.
 
 use crate::description::{BodyKind, Friction, OneOrMany, Precision, ShapeKind};
 use crate::{ContactModel, Description, Engine, Kind, Level, Options, Reply};
@@ -64,6 +64,35 @@ impl<F: Fn(&Scene, usize, f64, f64) -> RigidState> Exact<F> {
     }
 }
 
+/// Our Moreau–Jean engine, whose motions are changed before they are reported.
+pub(crate) struct Reporting<F>(pub F);
+
+impl<F: FnMut(&mut Trajectory) + Send> Engine for Reporting<F> {
+    fn describe(&mut self, options: &Options) -> Reply<Description> {
+        crate::own::by_name("moreau-jean").expect("listed").describe(options)
+    }
+
+    fn simulate(&mut self, scene: &Scene, h: f64, every: usize, options: &Options) -> Reply<Trajectory> {
+        let mut motion = crate::own::by_name("moreau-jean").expect("listed").simulate(scene, h, every, options)?;
+        (self.0)(&mut motion);
+        Ok(motion)
+    }
+}
+
+/// The measurements of a check on an engine at h, as the engine describes itself.
+pub(crate) fn measure(check: &str, h: f64, engine: &mut dyn Engine) -> Vec<crate::Measurement> {
+    let options = Options::new();
+    let description = engine.describe(&options).expect("describes itself");
+    ask(check, h, &mut crate::Bench::new(engine, &description, &options)).expect("answers")
+}
+
+fn ask(check: &str, h: f64, bench: &mut crate::Bench) -> Reply<Vec<crate::Measurement>> {
+    match crate::checks::find(check).expect("a registered check").run {
+        crate::Run::EachStep(run) => run(bench, h),
+        crate::Run::Once(run) => run(bench),
+    }
+}
+
 /// The measurements of a check on a motion at h, with their verdicts.
 pub(crate) fn judge<F: Fn(&Scene, usize, f64, f64) -> RigidState + Send>(check: &str, h: f64, motion: F) -> Vec<crate::Measurement> {
     judge_declaring(check, h, &[], motion)
@@ -109,7 +138,6 @@ fn answer_declaring<F: Fn(&Scene, usize, f64, f64) -> RigidState + Send>(
     declared: &[(&str, f64, &str)],
     motion: F,
 ) -> Reply<Vec<crate::Measurement>> {
-    let check = crate::checks::find(check).expect("a registered check");
     let mut engine = Exact { motion };
     let options = Options::new();
     let mut description = engine.describe(&options).expect("an exact engine describes itself");
@@ -117,9 +145,5 @@ fn answer_declaring<F: Fn(&Scene, usize, f64, f64) -> RigidState + Send>(
         let parameter = crate::Parameter { value: OneOrMany::One(*value), unit: OneOrMany::One((*unit).into()) };
         description.contact_model.parameters.insert((*name).into(), parameter);
     }
-    let mut bench = crate::Bench::new(&mut engine, &description, &options);
-    match check.run {
-        crate::Run::EachStep(run) => run(&mut bench, h),
-        crate::Run::Once(run) => run(&mut bench),
-    }
+    ask(check, h, &mut crate::Bench::new(&mut engine, &description, &options))
 }

@@ -153,3 +153,62 @@ pub fn read_description(file: &Path) -> Result<Description> {
     let text = read_text(file)?;
     serde_json::from_str(&text).map_err(|error| Error::from(error).in_file(file))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use moreau_dynamics::scenes::{Ground, named};
+
+    /// A motion of two balls over eight steps of h = 1/8 s.
+    fn stored() -> Trajectory {
+        let scene = Scene { duration: 1.0, ..named("two-ball-impact").expect("built in") };
+        crate::own::by_name("moreau-jean").expect("listed").simulate(&scene, 0.125, 1, &Options::new()).expect("simulates")
+    }
+
+    fn of(stored: Trajectory) -> Library {
+        Library { description: undeclared(&stored, std::slice::from_ref(&stored)), trajectories: Arc::new(vec![stored]) }
+    }
+
+    #[test]
+    fn a_request_is_answered_by_the_file_of_the_same_scene_and_step_only() {
+        let (mut library, scene) = (of(stored()), stored().scene);
+        let mut is_answered = |scene: &Scene, h: f64, every: usize| library.simulate(scene, h, every, &Options::new()).is_ok();
+        assert!(is_answered(&scene, 0.125, 1) && is_answered(&scene, 0.125, 4));
+        let renamed = Scene { name: "another name".into(), description: "of the same".into(), ..scene.clone() };
+        assert!(is_answered(&renamed, 0.125, 1));
+        assert!(!is_answered(&scene, 0.25, 1) && !is_answered(&Scene { duration: 2.0, ..scene.clone() }, 0.125, 1));
+        type Change = fn(&mut Scene);
+        let others: [Change; 5] = [
+            |scene| scene.gravity[1] += 1.0,
+            |scene| scene.ground = Some(Ground { normal: [0.0, 0.0, 1.0], offset: -9.0 }),
+            |scene| scene.bodies[1].mass *= 2.0,
+            |scene| scene.material.restitution = 0.25,
+            |scene| scene.material.friction += 0.25,
+        ];
+        for (index, change) in others.iter().enumerate() {
+            let mut other = scene.clone();
+            change(&mut other);
+            assert!(!is_answered(&other, 0.125, 1), "{index}");
+        }
+    }
+
+    #[test]
+    fn a_contact_is_told_with_the_sample_that_ends_its_interval_and_not_after_the_last() {
+        let mut whole = stored();
+        let contact = moreau_dynamics::trajectory::ContactRecord {
+            sample: 0,
+            bodies: [0, 1].map(|k| whole.scene.bodies[k].name.clone()),
+            normal: [1.0, 0.0, 0.0],
+            impulse: [1.0, 0.0, 0.0],
+        };
+        whole.contacts = (1..=8).map(|sample| moreau_dynamics::trajectory::ContactRecord { sample, ..contact.clone() }).collect();
+        let picked = |every: usize, duration: f64| {
+            let scene = Scene { duration, ..whole.scene.clone() };
+            let answer = of(whole.clone()).simulate(&scene, 0.125, every, &Options::new()).expect("stored");
+            (answer.times, answer.contacts.iter().map(|contact| contact.sample).collect::<Vec<_>>())
+        };
+        assert_eq!(picked(1, 1.0).1, [1, 2, 3, 4, 5, 6, 7, 8]);
+        assert_eq!(picked(4, 1.0), (vec![0.0, 0.5, 1.0], vec![1, 1, 1, 1, 2, 2, 2, 2]));
+        assert_eq!(picked(2, 0.5), (vec![0.0, 0.25, 0.5], vec![1, 1, 2, 2]));
+    }
+}

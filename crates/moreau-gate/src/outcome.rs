@@ -79,19 +79,7 @@ impl Report {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Engine, Expectation, Measurement, Options, Refusal, own};
-
-    fn step(h: f64, verdict: Verdict) -> StepOutcome {
-        let value = |value: f64| Measurement::new("x", "m", value, Expectation::equal(0.0, 0.25, "ideal"));
-        let answer = match verdict {
-            Verdict::Pass => Ok(vec![value(0.0)]),
-            Verdict::Difference => Ok(vec![value(1.0).predicted(Some(Expectation::equal(1.0, 0.25, "law")))]),
-            Verdict::Fail => Ok(vec![value(1.0)]),
-            Verdict::Unsupported => Err(Refusal::unsupported("no friction")),
-            Verdict::Errored => Err(Refusal::errored("too late")),
-        };
-        StepOutcome::new(Some(h), answer)
-    }
+    use crate::{Engine, Options, own};
 
     #[test]
     fn the_adapter_explains_what_is_bad_and_of_contacts_only_impulses() {
@@ -104,7 +92,7 @@ mod tests {
         let adapter = vec![probe("motion/turns"), probe("contacts/impulses")];
         let report = Report { schema: SCHEMA.into(), engine, adapter, sweep: vec![0.5], checks: Vec::new() };
         let told = |check: &str, verdict: Verdict| -> Vec<String> {
-            report.explaining(&CheckOutcome::new(check, vec![step(0.5, verdict)])).map(|one| one.probe.clone()).collect()
+            report.explaining(&CheckOutcome::new(check, vec![StepOutcome::planted(0.5, verdict)])).map(|one| one.probe.clone()).collect()
         };
         assert_eq!(told("contact/pairs", Verdict::Fail), ["motion/turns", "contacts/impulses"]);
         assert_eq!(told("tumbling/momentum", Verdict::Errored), ["motion/turns", "contacts/impulses"]);
@@ -124,7 +112,7 @@ mod tests {
                 let mut verdicts = [Unsupported; 3];
                 verdicts[place] = worst;
                 let times = [0, 1, 2].map(|k| if k == place { 0.5 } else { 0.25 });
-                let outcome = CheckOutcome::new("made-up/check", (0..3).map(|k| step(times[k], verdicts[k])).collect());
+                let outcome = CheckOutcome::new("made-up/check", (0..3).map(|k| StepOutcome::planted(times[k], verdicts[k])).collect());
                 assert_eq!((outcome.verdict, outcome.fails_at.as_slice(), outcome.reason.as_deref()), (worst, fails_at, reason), "{place}");
             }
         }

@@ -152,6 +152,28 @@ fn repeats_give_the_spread() {
     assert_eq!(measured[0].spread, 0.5, "the farthest repetition, not the last");
 }
 
+/// What the perturbation makes of gravity, in units of it.
+static SCATTERS: Check = check(
+    "toy/scatters",
+    Level::Simulate,
+    Run::Once(|bench| {
+        let scene = moreau_dynamics::scenes::named("two-ball-impact").map_err(Refusal::errored)?;
+        let motion = bench.simulate(&scene, 0.25, 4, 1)?;
+        let plain = scene.bodies[0].linear_velocity[0];
+        Ok(value((motion.scene.bodies[0].linear_velocity[0] / plain - 1.0) / crate::tolerance::PERTURBATION))
+    }),
+);
+
+#[test]
+fn every_repetition_is_perturbed_farther_than_the_one_before_and_widens_the_spread() {
+    for (repeats, spread) in [(1, 0.0), (2, 1.0), (3, 1.0), (4, 2.0), (6, 3.0)] {
+        let plan = Plan { checks: vec![&SCATTERS], sweep: vec![0.05], options: Options::new(), jobs: 1, repeats, progress: &|| {} };
+        let report = run(&|| Box::new(crate::own::by_name("moreau-jean").expect("listed")), &plan).expect("describes itself");
+        let found = report.checks[0].steps[0].measurements[0].spread;
+        assert!((found - spread).abs() <= 0.01, "{repeats} repeats: {found}");
+    }
+}
+
 fn one_contact() -> ContactProblem {
     ContactProblem::new(nalgebra::DMatrix::identity(1, 1), DVector::zeros(1))
         .law(moreau_contact::Law::Frictionless)

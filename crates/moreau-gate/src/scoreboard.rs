@@ -142,3 +142,35 @@ impl Standing {
         Ok(serde_json::from_str(text)?)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{CheckOutcome, Engine, StepOutcome, Verdict, own};
+
+    fn standing(version: &str, sweep: &[f64], checks: &[(&str, Verdict)]) -> Standing {
+        let mut engine = own::by_name("moreau-jean").expect("listed").describe(&Options::new()).expect("describes itself");
+        engine.version = version.into();
+        let outcome = |(name, verdict): &(&str, Verdict)| CheckOutcome::new(name, vec![StepOutcome::planted(sweep[0], *verdict)]);
+        let checks = checks.iter().map(outcome).collect();
+        let report = Report { schema: crate::outcome::SCHEMA.into(), engine, adapter: Vec::new(), sweep: sweep.to_vec(), checks };
+        let entry = Entry { name: "mine".into(), command: vec!["mine".into()], options: Options::new(), install: String::new() };
+        Standing { entry, report: Some(report), not_run: None }
+    }
+
+    #[test]
+    fn what_another_run_found_is_taken_over_if_engine_and_steps_are_the_same_and_never_instead_of_what_was_run() {
+        let now = || standing("2", &[0.5, 0.25], &[("stack/ten", Verdict::Fail)]);
+        let older = [("stack/ten", Verdict::Pass), ("flight/projectile", Verdict::Pass)];
+        let found = |other: Option<Standing>| -> Vec<(String, Verdict)> {
+            let report = now().beside(other).report.expect("it was run");
+            report.checks.into_iter().map(|outcome| (outcome.check, outcome.verdict)).collect()
+        };
+        let alone = vec![("stack/ten".to_string(), Verdict::Fail)];
+        let both = [vec![("flight/projectile".to_string(), Verdict::Pass)], alone.clone()].concat();
+        assert_eq!(found(Some(standing("2", &[0.5, 0.25], &older))), both, "in the order of the registry");
+        assert_eq!(found(Some(standing("1", &[0.5, 0.25], &older))), alone, "another version");
+        assert_eq!(found(Some(standing("2", &[0.5, 0.125], &older))), alone, "other steps");
+        assert_eq!(found(None), alone);
+    }
+}

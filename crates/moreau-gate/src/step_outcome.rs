@@ -38,4 +38,19 @@ impl StepOutcome {
             }
         }
     }
+
+    /// An outcome at h with this verdict, as a check comes to it.
+    #[cfg(test)]
+    pub(crate) fn planted(h: f64, verdict: Verdict) -> Self {
+        use crate::{Expectation, Refusal};
+        let value = |value: f64| Measurement::new("x", "m", value, Expectation::equal(0.0, 0.25, "ideal"));
+        let answer = match verdict {
+            Verdict::Pass => Ok(vec![value(0.0)]),
+            Verdict::Difference => Ok(vec![value(1.0).predicted(Some(Expectation::equal(1.0, 0.25, "law")))]),
+            Verdict::Fail => Ok(vec![value(1.0)]),
+            Verdict::Unsupported => Err(Refusal::unsupported("no friction")),
+            Verdict::Errored => Err(Refusal::errored("too late")),
+        };
+        StepOutcome::new(Some(h), answer)
+    }
 }

@@ -115,6 +115,13 @@ mod tests {
         let text = told([0.25, 0.01, 0.001]).expect("fails at the largest step");
         assert!(text.contains("order 1.00") && text.ends_with("; at h = 0.25 s it is 1.5 times what is allowed there"), "{text}");
         assert_eq!(told([0.1, 0.01, 0.001]), None);
+        for steps in [[0.16, 0.25, 0.001], [0.25, 0.16, 0.001]] {
+            let text = told(steps).expect("fails at two steps");
+            assert!(
+                text.ends_with("; at h = 0.25 s it is 1.5 times what is allowed there"),
+                "the largest step, wherever it stands: {text}"
+            );
+        }
     }
 
     #[test]

@@ -69,6 +69,21 @@ pub fn faces_are_parallel(sum: f64) -> f64 {
 /// Set.
 pub const STANDING: f64 = 1.0 / 16.0;
 
+/// Cosine of the angle up to which a face or a pair of features looks along the direction in which two bodies are farthest apart or overlap
+/// least, 45°: of two faces of a body at right angles at most one does. A candidate that does and whose points are on both bodies is deeper
+/// than they overlap by the inverse at most.
+/// Set.
+pub const FACING: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+/// Arcs of a circle on which the places nearest to another circle are looked for, one on each at most. Of two such places on one arc, with
+/// the farthest one between them, one is lost.
+/// Set.
+pub const ARCS: usize = 32;
+
+/// Steps in which a root on an arc is found to rounding: a bracket that only halves needs 54.
+/// Set.
+pub const ROOT_STEPS: usize = 64;
+
 /// Contact points of two boxes nearer than this, relative to their size, are one: √ε, far above the rounding with which
 /// clipping finds the same corner twice, far below any lever arm that matters.
 /// Set.

@@ -222,7 +222,7 @@ fn sphere_on_belt(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
 mod tests {
     use super::*;
     use crate::Verdict;
-    use crate::exact::{RigidState, declaring_a_pyramid, judge, refusal};
+    use crate::exact::{RigidState, declaring_a_pyramid, judge, measure, refusal};
     use crate::runner::SWEEP;
 
     /// A state of a body that moves along the belt, or at this angle \[rad\] to it, in the scene as it is put to the engine.
@@ -262,6 +262,25 @@ mod tests {
             assert_eq!(verdicts(h, FRICTION, 1.0, [1e-6, 0.0])[4..], [Fail; 2], "{h}");
         }
         assert_eq!(verdicts(SWEEP[SWEEP.len() / 2], 1.1 * FRICTION, 1.0, [0.0; 2])[1], Fail, "it sticks too early");
+    }
+
+    /// The worst verdicts of a planted engine: of what is carried, and of the belt.
+    fn of_planted(name: &str, check: &str, h: f64) -> [Option<Verdict>; 2] {
+        let planted = crate::planted::find(name).expect("listed");
+        let measured = measure(check, h, (planted.subject.engine)().as_mut());
+        let (belt, load): (Vec<_>, Vec<_>) = measured.iter().partition(|one| one.quantity.ends_with("of the belt"));
+        [load, belt].map(|some| some.into_iter().map(Measurement::verdict).max())
+    }
+
+    #[test]
+    fn a_belt_that_moves_and_carries_nothing_fails_by_its_load_and_one_that_stands_by_itself_as_well() {
+        use Verdict::{Fail, Pass};
+        for (check, h) in
+            [("conveyor/box", 1.0 / 60.0), ("conveyor/box", 0.004), ("conveyor/sphere", 1.0 / 60.0), ("conveyor/sphere", 0.004)]
+        {
+            assert_eq!(of_planted("conveyor/contacts-see-no-motion", check, h), [Some(Fail), Some(Pass)], "{check} at {h}");
+            assert_eq!(of_planted("conveyor/stands-still", check, h), [Some(Fail); 2], "{check} at {h}");
+        }
     }
 
     #[test]

@@ -84,3 +84,37 @@ fn identical(first: &Trajectory, second: &Trajectory, words: &str) -> Vec<Measur
 fn largest<const N: usize>(one: &[[f64; N]], other: &[[f64; N]]) -> f64 {
     one.iter().flatten().zip(other.iter().flatten()).fold(0.0, |largest, (a, b)| worst(largest, (a - b).abs()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Verdict;
+    use crate::exact::{Reporting, measure};
+
+    #[test]
+    fn one_bit_of_one_body_at_one_sample_is_seen_in_the_answer_that_has_it() {
+        type Change = fn(&mut BodyTrack);
+        let changes: [Change; 4] = [
+            |track| track.position[STEPS][1] += f64::EPSILON,
+            |track| track.linear_velocity[STEPS][1] += f64::EPSILON,
+            |track| track.orientation[STEPS][1] += f64::EPSILON,
+            |track| track.angular_velocity[STEPS][1] += f64::EPSILON,
+        ];
+        for (check, asked) in [("determinism/repeat", 2), ("determinism/company", 3)] {
+            for body in 0..2 {
+                for (kind, change) in changes.iter().enumerate() {
+                    let mut answers = 0;
+                    let mut engine = Reporting(|motion: &mut Trajectory| {
+                        answers += 1;
+                        if answers == asked {
+                            change(&mut motion.bodies[body]);
+                        }
+                    });
+                    let verdicts: Vec<Verdict> = measure(check, 0.01, &mut engine).iter().map(Measurement::verdict).collect();
+                    let expected: Vec<Verdict> = (0..4).map(|k| if k == kind { Verdict::Fail } else { Verdict::Pass }).collect();
+                    assert_eq!(verdicts, expected, "{check}, body {body}");
+                }
+            }
+        }
+    }
+}

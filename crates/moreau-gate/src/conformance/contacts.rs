@@ -127,3 +127,71 @@ impl Balance {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Engine, Options, own};
+
+    /// What the probes of contacts tell of a ball that landed, changed like this: the words of the problem and of the cure.
+    fn told(change: impl Fn(&mut Trajectory)) -> [Option<String>; 2] {
+        let mut engine = own::by_name("moreau-jean").expect("listed");
+        let description = engine.describe(&Options::new()).expect("describes itself");
+        let mut landed = engine.simulate(&landing_ball(), STEP, EVERY, &Options::new()).expect("it lands");
+        change(&mut landed);
+        let mut probes = Vec::new();
+        probe_all(Ok(landed), &description, &mut probes);
+        let words = |probe: &Probe| match &probe.outcome {
+            ProbeOutcome::Problem { why, cure } => Some(format!("{why}; {cure}")),
+            ProbeOutcome::Ok | ProbeOutcome::Skipped { .. } => None,
+        };
+        [words(&probes[0]), words(&probes[1])]
+    }
+
+    fn scaled(motion: &mut Trajectory, factor: f64) {
+        motion.contacts.iter_mut().for_each(|contact| contact.impulse = contact.impulse.map(|part| part * factor));
+    }
+
+    #[test]
+    fn each_wrong_report_of_impulses_is_told_with_its_own_cure() {
+        assert_eq!(told(|_| ()), [None, None]);
+        let shifted = |by: isize| {
+            move |motion: &mut Trajectory| {
+                motion.contacts.iter_mut().for_each(|contact| contact.sample = contact.sample.saturating_add_signed(by));
+                motion.contacts.retain(|contact| (1..SAMPLES).contains(&contact.sample));
+            }
+        };
+        type Change = Box<dyn Fn(&mut Trajectory)>;
+        let cases: [(Change, &str); 6] = [
+            (Box::new(|motion| scaled(motion, 1.0 / STEP)), "multiply the force of each step"),
+            (Box::new(|motion| scaled(motion, -1.0)), "act on the other body"),
+            (Box::new(|motion| scaled(motion, 1.0 / INTERVAL)), "mean forces of the interval"),
+            (Box::new(shifted(1)), "one sample late"),
+            (Box::new(shifted(-1)), "one sample early"),
+            (Box::new(|motion| scaled(motion, 1.5)), "add up the impulses of all steps"),
+        ];
+        for (change, cure) in cases {
+            let [_, found] = told(change);
+            assert!(found.as_ref().is_some_and(|words| words.contains(cure)), "{cure}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn an_impulse_that_pulls_by_little_and_a_normal_that_points_down_are_told_wherever_they_stand() {
+        for last in [false, true] {
+            let place = move |motion: &Trajectory| if last { motion.contacts.len() - 1 } else { 0 };
+            let [pulls, _] = told(|motion| {
+                let place = place(motion);
+                motion.contacts[place].impulse = motion.contacts[place].normal.map(|part| -part / 1024.0);
+            });
+            assert!(pulls.is_some_and(|words| words.contains("pulls")), "{last}");
+            let [down, _] = told(|motion| {
+                let place = place(motion);
+                motion.contacts[place].normal = motion.contacts[place].normal.map(|part| -part);
+            });
+            assert!(down.is_some_and(|words| words.contains("has the normal")), "{last}");
+        }
+        let [nothing, _] = told(|motion| motion.contacts.clear());
+        assert!(nothing.is_some_and(|words| words.contains("is empty")));
+    }
+}

@@ -231,6 +231,7 @@ fn same_again(engine: &mut dyn Engine, description: &Description, scene: &Scene,
 mod tests {
     use super::*;
     use crate::description::OneOrMany;
+    use crate::exact::Reporting;
     use crate::{Parameter, Reply, own};
 
     /// Moreau–Jean of bodies without spin; it forgets to record the first state where it is told to.
@@ -240,18 +241,16 @@ mod tests {
 
     impl Engine for WithoutSpin {
         fn describe(&mut self, options: &Options) -> Reply<Description> {
-            own::by_name("moreau-jean").expect("listed").describe(options)
+            Reporting(|_: &mut Trajectory| ()).describe(options)
         }
 
         fn simulate(&mut self, scene: &Scene, h: f64, every: usize, options: &Options) -> Reply<Trajectory> {
             if scene.bodies.iter().any(|body| body.angular_velocity != [0.0; 3]) {
                 return Err(Refusal::unsupported("bodies do not turn"));
             }
-            let mut motion = own::by_name("moreau-jean").expect("listed").simulate(scene, h, every, options)?;
-            if self.forgets {
-                motion.bodies.iter_mut().for_each(|track| track.position.rotate_left(1));
-            }
-            Ok(motion)
+            let turned = usize::from(self.forgets);
+            let forget = |motion: &mut Trajectory| motion.bodies.iter_mut().for_each(|track| track.position.rotate_left(turned));
+            Reporting(forget).simulate(scene, h, every, options)
         }
     }
 

@@ -37,3 +37,39 @@ pub(super) fn stay_or_move_as_prescribed(engine: &mut dyn Engine, description: &
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::conformance::ProbeOutcome;
+    use crate::exact::Reporting;
+    use moreau_dynamics::trajectory::{BodyTrack, Trajectory};
+
+    /// What is told of our engine if the slab's track is changed in the `asked`-th answer.
+    fn seen(asked: usize, change: impl Fn(&mut BodyTrack, usize) + Send + Sync) -> Seen {
+        let mut answers = 0;
+        let mut engine = Reporting(|motion: &mut Trajectory| {
+            answers += 1;
+            let last = motion.times.len() - 1;
+            if answers == asked {
+                change(&mut motion.bodies[1], last);
+            }
+        });
+        let description = engine.describe(&Options::new()).expect("describes itself");
+        stay_or_move_as_prescribed(&mut engine, &description)
+    }
+
+    #[test]
+    fn a_slab_that_is_elsewhere_or_has_another_velocity_at_one_sample_is_seen_if_it_is_static_and_if_it_is_driven() {
+        assert_eq!(seen(0, |_, _| ()), Ok(()));
+        for asked in [1, 2] {
+            for late in [false, true] {
+                let place = move |last: usize| if late { last } else { 1 };
+                let moved = seen(asked, |track, last| track.position[place(last)][1] += 1.0 / 1024.0);
+                assert!(matches!(moved, Err(ProbeOutcome::Problem { .. })), "{asked} {late}: {moved:?}");
+                let faster = seen(asked, |track, last| track.linear_velocity[place(last)][2] += 1.0 / 1024.0);
+                assert!(matches!(faster, Err(ProbeOutcome::Problem { .. })), "{asked} {late}: {faster:?}");
+            }
+        }
+    }
+}

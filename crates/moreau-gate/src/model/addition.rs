@@ -108,6 +108,30 @@ mod tests {
     }
 
     #[test]
+    fn an_addition_matters_where_bodies_can_touch_with_what_it_adds_to() {
+        use moreau_dynamics::scenes::{PairOverride, named};
+        let scene = |ground: bool, bodies: usize, [friction, restitution]: [f64; 2]| {
+            let mut scene = named("two-ball-impact").expect("built in");
+            scene.ground = named("ball-drop").expect("built in").ground.filter(|_| ground);
+            scene.bodies.truncate(bodies);
+            (scene.material.friction, scene.material.restitution) = (friction, restitution);
+            scene
+        };
+        let matter = |scene: &Scene| Addition::ALL.map(|(addition, ..)| addition.matters(scene));
+        assert_eq!(matter(&scene(false, 1, [0.5, 0.5])), [false; 4], "nothing touches");
+        for touching in [scene(true, 1, [0.5, 0.5]), scene(false, 2, [0.5, 0.5]), scene(true, 2, [0.5, 0.5])] {
+            assert_eq!(matter(&touching), [true; 4]);
+        }
+        assert_eq!(matter(&scene(true, 1, [0.0, 0.5])), [false, true, true, false]);
+        assert_eq!(matter(&scene(true, 1, [0.5, 0.0])), [true, true, true, false]);
+        // what a pair alone has
+        let mut paired = scene(false, 2, [0.0, 0.0]);
+        let bodies = [0, 1].map(|k| paired.bodies[k].name.clone());
+        paired.material.pairs = vec![PairOverride { bodies, friction: Some(0.5), restitution: Some(0.5) }];
+        assert_eq!(matter(&paired), [true; 4]);
+    }
+
+    #[test]
     fn moreaus_law_of_the_whole_vector_is_a_difference_where_it_is_declared_and_a_failure_where_not() {
         for check in ["bounce/spinning-ball", "fixed/bounce"] {
             let declared = judged(check, &|| full_vector(Some(("tangential_restitution", 1.0, "1"))));

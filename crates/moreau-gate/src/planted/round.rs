@@ -6,7 +6,7 @@ use crate::planted::parts::with_mechanism;
 use crate::planted::wrapped::Misread;
 use crate::planted::{Faulty, Kind, Planted};
 use moreau_dynamics::mechanics::{Mechanism, State};
-use moreau_dynamics::scenes::Scene;
+use moreau_dynamics::scenes::{Body, Scene};
 use moreau_exact::Result;
 
 /// The mistakes of this family.
@@ -41,13 +41,19 @@ pub const PLANTED: &[Planted<Faulty>] = &[
         name: "round/sides-pass-through",
         mistake: "has no contact between two capsules",
         kind: Kind::Assembly,
-        subject: Faulty { engine: || with_mechanism(sides_pass), caught_by: &["round/crossed"] },
+        subject: Faulty { engine: || with_mechanism(|scene| pass(scene, |body| body.capsule.is_some())), caught_by: &["round/crossed"] },
+    },
+    Planted {
+        name: "round/cylinders-pass-through",
+        mistake: "has no contact between two cylinders, and does not say so",
+        kind: Kind::Assembly,
+        subject: Faulty { engine: || with_mechanism(|scene| pass(scene, |body| body.cylinder.is_some())), caught_by: &["round/crossed"] },
     },
 ];
 
-/// Where all bodies are capsules, they touch the ground only.
-fn sides_pass(scene: &Scene) -> Result<(Box<dyn Mechanism>, State)> {
-    if scene.bodies.iter().all(|body| body.capsule.is_some()) {
+/// Where all bodies are of this shape, they touch the ground only.
+fn pass(scene: &Scene, is: fn(&Body) -> bool) -> Result<(Box<dyn Mechanism>, State)> {
+    if scene.bodies.iter().all(is) {
         touching(scene, |contacts, _, _| contacts.retain(|one| pair(one).is_none()))
     } else {
         scene.spatial_mechanism()

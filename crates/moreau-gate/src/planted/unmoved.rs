@@ -27,7 +27,19 @@ pub const PLANTED: &[Planted<Faulty>] = &[
         kind: Kind::Scheme,
         subject: Faulty { engine: || Box::new(Misread(weaker_beside_x)), caught_by: &["conveyor/box", "conveyor/sphere"] },
     },
+    Planted {
+        name: "conveyor/stands-still",
+        mistake: "reads a body with a prescribed velocity as one that nothing moves, and leaves it where it is",
+        kind: Kind::Reader,
+        subject: Faulty { engine: || Box::new(Misread(still)), caught_by: &["conveyor/box", "conveyor/sphere"] },
+    },
 ];
+
+fn still(scene: &mut Scene, _: f64) {
+    for body in scene.bodies.iter_mut().filter(|body| body.prescribed.is_some()) {
+        (body.prescribed, body.is_static) = (None, true);
+    }
+}
 
 fn heavy(scene: &mut Scene, _: f64) {
     for body in scene.bodies.iter_mut().filter(|body| body.is_static) {

@@ -61,18 +61,10 @@ fn status(check: &CheckOutcome, changes: Option<&[Change]>, words: &str) -> Test
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Engine, Expectation, Measurement, Options, Refusal, StepOutcome, own};
+    use crate::{Engine, Options, StepOutcome, own};
 
     fn outcome(verdict: Verdict) -> CheckOutcome {
-        let value = |value: f64| Measurement::new("x", "m", value, Expectation::equal(0.0, 0.25, "ideal"));
-        let answer = match verdict {
-            Verdict::Pass => Ok(vec![value(0.0)]),
-            Verdict::Difference => Ok(vec![value(1.0).predicted(Some(Expectation::equal(1.0, 0.25, "law")))]),
-            Verdict::Fail => Ok(vec![value(1.0)]),
-            Verdict::Unsupported => Err(Refusal::unsupported("no friction")),
-            Verdict::Errored => Err(Refusal::errored("too late")),
-        };
-        CheckOutcome::new("made-up/check", vec![StepOutcome::new(Some(0.5), answer)])
+        CheckOutcome::new("made-up/check", vec![StepOutcome::planted(0.5, verdict)])
     }
 
     /// `success`, `skipped`, `failure` or `error`, and the message.

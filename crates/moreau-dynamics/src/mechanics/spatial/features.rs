@@ -6,9 +6,11 @@
 //!     sphere, box    φ = signed distance of the centre from the box − r
 //! ```
 //! Every gap is a distance between material features (corner, edge, face, centre), so its time derivative is exactly
-//! n · (v_first − v_second) at the two points; parallel faces of two boxes share a normal, see `faces`.
+//! n · (v_first − v_second) at the two points; parallel faces share a normal, see `faces`. Capsules and cylinders are in `round` and
+//! `cylinders`.
 
 use super::boxes::box_box;
+use super::cylinders::{capsule_cylinder, cylinder_box, cylinders};
 use super::faces::level;
 use super::round::{self, Rod};
 use super::shape::{Pose, Shape, corners};
@@ -81,11 +83,23 @@ pub(super) fn pair_touches(first: &Shape, pose_first: &Pose, second: &Shape, pos
         (Shape::Sphere { radius }, Shape::Cylinder { radius: other, half_height }) => {
             touches.push(round::sphere_cylinder(radius, &pose_first.centre, Rod { radius: other, half_height, pose: pose_second }));
         }
-        (Shape::Capsule { .. } | Shape::Cylinder { .. }, Shape::Sphere { .. }) | (Shape::Box { .. }, Shape::Capsule { .. }) => {
+        (Shape::Capsule { radius, half_height }, Shape::Cylinder { radius: other, half_height: length }) => {
+            let cylinder = Rod { radius: other, half_height: length, pose: pose_second };
+            capsule_cylinder(Rod { radius, half_height, pose: pose_first }, cylinder, touches);
+        }
+        (Shape::Cylinder { radius, half_height }, Shape::Box { half_extents }) => {
+            cylinder_box(Rod { radius, half_height, pose: pose_first }, half_extents, pose_second, touches);
+        }
+        (Shape::Cylinder { radius, half_height }, Shape::Cylinder { radius: other, half_height: length }) => {
+            let second = Rod { radius: other, half_height: length, pose: pose_second };
+            cylinders(Rod { radius, half_height, pose: pose_first }, second, touches);
+        }
+        (Shape::Capsule { .. } | Shape::Cylinder { .. }, Shape::Sphere { .. })
+        | (Shape::Box { .. }, Shape::Capsule { .. } | Shape::Cylinder { .. })
+        | (Shape::Cylinder { .. }, Shape::Capsule { .. }) => {
             let begin = touches.len();
             pair_touches(second, pose_second, first, pose_first, touches);
             touches[begin..].iter_mut().for_each(|touch| *touch = touch.swapped());
         }
-        (Shape::Cylinder { .. }, _) | (_, Shape::Cylinder { .. }) => unreachable!("refused when the bodies were put together"),
     }
 }

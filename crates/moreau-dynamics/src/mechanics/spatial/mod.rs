@@ -16,11 +16,14 @@
 //! [`Mechanism::mean_force`].
 
 mod boxes;
+mod circles;
+mod cylinders;
 mod faces;
 mod features;
 mod gyroscopic;
 mod round;
 mod shape;
+mod solids;
 mod spheres;
 mod touch;
 
@@ -46,6 +49,9 @@ const MOST_TOUCHES: usize = 16;
 const MOST_OF_CAPSULES: usize = 22;
 /// Candidates of a cylinder with the ground at most: the lowest point of each rim, and four that turn with it.
 const MOST_OF_CYLINDERS: usize = 10;
+/// Candidates of a pair with a cylinder at most, a box's: ten points of the rims over a face, eight corners over a face or beside the side,
+/// twelve edges across the side, two places of each at two rims, and the nearest points.
+const MOST_OF_CYLINDER_PAIRS: usize = 10 + 8 + 12 + 48 + 1;
 
 /// Spheres, boxes, capsules and cylinders in space under gravity, over an optional ground plane.
 ///
@@ -80,7 +86,7 @@ impl SpatialBodies {
     /// Bodies in free space.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if there is no body or gravity is not finite; [`Error::Unsupported`] if two of the shapes have no contact here.
+    /// [`Error::Invalid`] if there is no body or gravity is not finite.
     pub fn without_ground(name: impl Into<String>, bodies: Vec<SpatialBody>, gravity: [f64; 3], materials: Materials) -> Result<Self> {
         if bodies.is_empty() {
             return Err(Error::invalid("bodies", "is empty", "give at least one body"));
@@ -88,7 +94,6 @@ impl SpatialBodies {
         if !gravity.iter().all(|g| g.is_finite()) {
             return Err(Error::invalid("gravity", format!("is {gravity:?}"), "use finite numbers"));
         }
-        refuse_pairs_without_contact(&bodies)?;
         let diagonal = bodies.iter().flat_map(|body| [body.mass(); 3].into_iter().chain(body.moments().iter().copied()));
         let inertias = DVector::from_iterator(6 * bodies.len(), diagonal);
         let (name, gravity, neighbours) = (name.into(), gravity.into(), Neighbours::default());
@@ -181,22 +186,6 @@ impl SpatialBodies {
     }
 }
 
-/// Refuses bodies that would go through each other.
-fn refuse_pairs_without_contact(bodies: &[SpatialBody]) -> Result<()> {
-    let cylinders = bodies.iter().enumerate().filter(|(_, body)| matches!(body.shape(), Shape::Cylinder { .. }));
-    for (k, cylinder) in cylinders {
-        let apart = |(j, other): &(usize, &SpatialBody)| {
-            *j != k && (cylinder.is_free() || other.is_free()) && !cylinder.shape().touches(other.shape())
-        };
-        if let Some((_, other)) = bodies.iter().enumerate().find(apart) {
-            let [own, word] = [cylinder, other].map(|body| body.shape().word());
-            let bodies = format!("`{}` and `{}`", cylinder.name(), other.name());
-            return Err(Error::Unsupported(format!("there is no contact of a {own} with a {word}: {bodies}")));
-        }
-    }
-    Ok(())
-}
-
 /// Ω of body k.
 fn spin(body: usize, velocity: &DVector<f64>) -> Vector3<f64> {
     velocity.fixed_rows::<3>(6 * body + 3).into_owned()
@@ -283,7 +272,7 @@ impl Mechanism for SpatialBodies {
     }
 
     /// A sphere has one candidate with the ground and a box its eight corners; a pair has one, or sixteen of two boxes: eight corners and
-    /// eight crossings of the edges of two faces; or as many as a capsule may have.
+    /// eight crossings of the edges of two faces; or as many as a capsule or a cylinder may have.
     fn most_candidates(&self) -> Option<usize> {
         let boxes = self.bodies.iter().filter(|body| matches!(body.shape(), Shape::Box { .. })).count();
         let count = |is: fn(&Shape) -> bool| self.bodies.iter().filter(|body| is(body.shape())).count();
@@ -291,11 +280,13 @@ impl Mechanism for SpatialBodies {
         let cylinders = count(|shape| matches!(shape, Shape::Cylinder { .. }));
         let pairs = |n: usize| n.saturating_mul(n.saturating_sub(1)) / 2;
         let all = pairs(self.bodies.len());
-        let with_capsules = all.saturating_sub(pairs(self.bodies.len() - capsules));
-        let others = all.saturating_sub(pairs(boxes)).saturating_sub(with_capsules);
+        let with_cylinders = all.saturating_sub(pairs(self.bodies.len() - cylinders));
+        let with_capsules = pairs(self.bodies.len() - cylinders).saturating_sub(pairs(self.bodies.len() - cylinders - capsules));
+        let others = all.saturating_sub(pairs(boxes)).saturating_sub(with_capsules).saturating_sub(with_cylinders);
         let more = 7 * boxes + capsules + (MOST_OF_CYLINDERS - 1) * cylinders;
         let ground = if self.ground.is_some() { self.bodies.len() + more } else { 0 };
-        let manifolds = pairs(boxes).saturating_mul(MOST_TOUCHES).saturating_add(with_capsules.saturating_mul(MOST_OF_CAPSULES));
+        let many = [(pairs(boxes), MOST_TOUCHES), (with_capsules, MOST_OF_CAPSULES), (with_cylinders, MOST_OF_CYLINDER_PAIRS)];
+        let manifolds = many.into_iter().fold(0usize, |sum, (pairs, most)| sum.saturating_add(pairs.saturating_mul(most)));
         Some(manifolds.saturating_add(others).saturating_add(ground))
     }
 
@@ -403,6 +394,8 @@ impl Mechanism for SpatialBodies {
     }
 }
 
+#[cfg(test)]
+mod cylinder_tests;
 #[cfg(test)]
 mod face_tests;
 #[cfg(test)]

@@ -10,6 +10,8 @@
 //!     box         the ends of a capsule as spheres, and its segment beside the edges and corners of the box
 //!     capsules    the ends of each as spheres at the other, and the inner points where the segments pass each other
 //! ```
+//! Cylinders at boxes, capsules and each other are in `cylinders`.
+//!
 //! Every gap is a distance between features of the two bodies, extremal where a feature is curved or an edge: its derivative is
 //! n · (v_first − v_second) at the two points. And every one is at least as large as the distance of the bodies: several
 //! of one pair ask for nothing that the nearest does not.
@@ -37,17 +39,18 @@ pub(super) struct Rod<'a> {
 }
 
 impl Rod<'_> {
-    fn axis(&self) -> Vector3<f64> {
+    /// a.
+    pub fn axis(&self) -> Vector3<f64> {
         self.pose.rotation.column(2).into()
     }
 
     /// x − l a and x + l a.
-    fn ends(&self) -> [Vector3<f64>; 2] {
+    pub fn ends(&self) -> [Vector3<f64>; 2] {
         [-1.0, 1.0].map(|side| self.pose.centre + self.axis() * (side * self.half_height))
     }
 
     /// The point of the segment nearest to a point, and whether it is between the ends.
-    fn nearest(&self, point: &Vector3<f64>) -> (Vector3<f64>, bool) {
+    pub fn nearest(&self, point: &Vector3<f64>) -> (Vector3<f64>, bool) {
         let along = self.axis().dot(&(point - self.pose.centre));
         let within = along.clamp(-self.half_height, self.half_height);
         (self.pose.centre + self.axis() * within, along.abs() < self.half_height)
@@ -164,7 +167,7 @@ pub(super) fn capsule_box(capsule: Rod, half_extents: [f64; 3], cuboid: &Pose, t
 }
 
 /// The nearest points of two segments, if both are between the ends and the segments are not parallel.
-fn crossing([a, b]: [Vector3<f64>; 2], [c, d]: [Vector3<f64>; 2]) -> Option<[Vector3<f64>; 2]> {
+pub(super) fn crossing([a, b]: [Vector3<f64>; 2], [c, d]: [Vector3<f64>; 2]) -> Option<[Vector3<f64>; 2]> {
     let (u, w, line) = (b - a, d - c, a - c);
     let (uu, uw, ww) = (u.norm_squared(), u.dot(&w), w.norm_squared());
     let sine = uu * ww - uw * uw;
@@ -309,19 +312,6 @@ mod tests {
             let found = at(&[[x, y, z, 0.0, 0.0, 0.0], [0.0, 0.0, 2.0, 0.0, 0.0, 0.0]], vec![ball(0.1), cylinder("b")]);
             assert!((found[0].gap - gap).abs() <= rounding(16, 3.0), "{place:?}: {}", found[0].gap);
         }
-    }
-
-    #[test]
-    fn pairs_without_contact_are_refused_by_name() {
-        let refused = |bodies: Vec<SpatialBody>| {
-            let materials = crate::mechanics::Materials::new(0.5, 0.0).expect("valid");
-            SpatialBodies::without_ground("round", bodies, [0.0; 3], materials).err().map(|error| error.to_string())
-        };
-        let message = refused(vec![ball(0.1), cuboid("crate", [0.1; 3]), cylinder("drum")]).expect("refused");
-        assert!(message.contains("a cylinder with a box") && message.contains("`drum`") && message.contains("`crate`"), "{message}");
-        assert!(refused(vec![cylinder("drum"), capsule("pill", 0.1, 0.1)]).expect("refused").contains("capsule"));
-        assert!(refused(vec![cylinder("drum"), cylinder("other")]).is_some());
-        assert_eq!(refused(vec![cylinder("drum"), ball(0.1), ball(0.2)]), None);
     }
 
     #[test]

@@ -54,16 +54,6 @@ impl Shape {
         }
     }
 
-    /// Whether two shapes have a contact here: a cylinder has one with spheres and the ground only.
-    pub fn touches(&self, other: &Shape) -> bool {
-        let is = |shape: &Shape, cylinder: bool| match shape {
-            Shape::Cylinder { .. } => cylinder,
-            Shape::Sphere { .. } => false,
-            Shape::Box { .. } | Shape::Capsule { .. } => !cylinder,
-        };
-        !(is(self, true) && (is(other, true) || is(other, false)) || is(other, true) && is(self, false))
-    }
-
     /// Principal moments of the solid of mass m \[kg·m²\]: ⅖ m r² of a ball, m/3 (b² + c², a² + c², a² + b²) of a box,
     /// m (r²/4 + l²/3), the same and m r²/2 of a cylinder. A capsule is a cylinder and two half balls of the same density, whose centres of
     /// mass lie 3r/8 beyond its ends.

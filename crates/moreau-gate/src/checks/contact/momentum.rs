@@ -102,36 +102,18 @@ fn scale(thrown: &Thrown, k: usize, h: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::own::by_name;
-    use crate::{Description, Engine, Options, Verdict};
-    use moreau_dynamics::scenes::Scene;
+    use crate::exact::{Reporting, measure};
+    use crate::{Measurement, Verdict};
     use moreau_dynamics::trajectory::Trajectory;
-
-    /// Our engine, which reports this part of every spin.
-    struct Spinning {
-        part: f64,
-    }
-
-    impl Engine for Spinning {
-        fn describe(&mut self, options: &Options) -> Reply<Description> {
-            by_name("moreau-jean").expect("listed").describe(options)
-        }
-
-        fn simulate(&mut self, scene: &Scene, h: f64, every: usize, options: &Options) -> Reply<Trajectory> {
-            let mut motion = by_name("moreau-jean").expect("listed").simulate(scene, h, every, options)?;
-            let spins = motion.bodies.iter_mut().flat_map(|track| &mut track.angular_velocity).flatten();
-            spins.for_each(|spin| *spin *= self.part);
-            Ok(motion)
-        }
-    }
 
     #[test]
     fn spins_that_are_not_those_of_the_reported_impulses_fail_for_sphere_and_box() {
         for (part, expected) in [(1.0, Verdict::Pass), (0.0, Verdict::Fail), (2.0, Verdict::Fail)] {
-            let (mut engine, options) = (Spinning { part }, Options::new());
-            let description = engine.describe(&options).expect("describes itself");
-            let measured = momentum(&mut Bench::new(&mut engine, &description, &options), 0.004).expect("answers");
+            let mut engine = Reporting(|motion: &mut Trajectory| {
+                let spins = motion.bodies.iter_mut().flat_map(|track| &mut track.angular_velocity).flatten();
+                spins.for_each(|spin| *spin *= part);
+            });
+            let measured = measure("contact/momentum", 0.004, &mut engine);
             let angular: Vec<Verdict> = measured.iter().filter(|one| one.quantity.contains("angular")).map(Measurement::verdict).collect();
             assert_eq!(angular, [expected; 2], "{part}");
         }

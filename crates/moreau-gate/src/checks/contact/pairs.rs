@@ -135,35 +135,17 @@ fn unaccounted(bench: &Bench, account: &Account) -> Reply<Measurement> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::own::by_name;
-    use crate::{Description, Engine, Options, Verdict, checks};
-
-    /// Our engine, which doubles what it reports between two bodies at one sample.
-    struct Doubling {
-        sample: usize,
-    }
-
-    impl Engine for Doubling {
-        fn describe(&mut self, options: &Options) -> Reply<Description> {
-            by_name("moreau-jean").expect("listed").describe(options)
-        }
-
-        fn simulate(&mut self, scene: &Scene, h: f64, every: usize, options: &Options) -> Reply<Trajectory> {
-            let mut motion = by_name("moreau-jean").expect("listed").simulate(scene, h, every, options)?;
-            let here = motion.contacts.iter_mut().filter(|one| one.sample == self.sample && one.bodies[1] != "ground");
-            here.for_each(|one| one.impulse = one.impulse.map(|part| 2.0 * part));
-            Ok(motion)
-        }
-    }
+    use crate::Verdict;
+    use crate::exact::{Reporting, measure};
 
     #[test]
     fn one_wrong_report_is_seen_wherever_it_stands() {
-        let check = checks::find("contact/pairs").expect("registered");
         for (sample, expected) in [(0, Verdict::Pass), (1, Verdict::Fail), (3, Verdict::Fail), (STEPS, Verdict::Fail)] {
-            let (mut engine, options) = (Doubling { sample }, Options::new());
-            let description = engine.describe(&options).expect("describes itself");
-            let crate::Run::EachStep(run) = check.run else { panic!("it is asked at a time step") };
-            let measured = run(&mut Bench::new(&mut engine, &description, &options), 0.004).expect("answers");
+            let mut engine = Reporting(|motion: &mut Trajectory| {
+                let here = motion.contacts.iter_mut().filter(|one| one.sample == sample && one.bodies[1] != "ground");
+                here.for_each(|one| one.impulse = one.impulse.map(|part| 2.0 * part));
+            });
+            let measured = measure("contact/pairs", 0.004, &mut engine);
             assert_eq!(measured.iter().map(Measurement::verdict).max(), Some(expected), "at sample {sample}");
         }
     }

@@ -48,3 +48,23 @@ pub(super) fn material_pairs(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement
     measured.extend(planks::on_smooth_floor(bench, h)?);
     Ok(measured)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Verdict;
+    use crate::exact::measure;
+
+    #[test]
+    fn every_encounter_is_held_to_the_restitution_of_its_own_pair() {
+        let mut engine = crate::own::by_name("moreau-jean").expect("listed");
+        let measured = measure("pair/material-pairs", 0.01, &mut engine);
+        assert!(measured.iter().all(|one| one.verdict() == Verdict::Pass), "{measured:?}");
+        for one in ENCOUNTERS {
+            let held = |found: &&Measurement| found.quantity.starts_with("restitution") && found.quantity.ends_with(one.words);
+            let found = measured.iter().find(held).unwrap_or_else(|| panic!("{} is not asked", one.words));
+            assert_eq!(found.ideal.value, one.restitution, "{}", found.quantity);
+            assert_ne!(one.restitution, COMMON[1]);
+        }
+    }
+}

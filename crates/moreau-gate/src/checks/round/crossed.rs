@@ -73,9 +73,24 @@ pub(super) fn crossed(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
 mod tests {
     use super::*;
     use crate::Verdict;
-    use crate::exact::{RigidState, judge};
+    use crate::exact::{RigidState, judge, measure};
     use crate::runner::SWEEP;
     use moreau_dynamics::scenes::Scene;
+
+    #[test]
+    fn our_engine_is_asked_every_pair_and_one_whose_cylinders_pass_through_each_other_fails_that_pair_alone() {
+        let worst = |measured: &[Measurement], name: &str| {
+            measured.iter().filter(|one| one.quantity.contains(&format!(", {name}"))).map(Measurement::verdict).max()
+        };
+        let right = measure("round/crossed", 0.01, &mut crate::own::by_name("moreau-jean").expect("listed"));
+        let planted = crate::planted::find("round/cylinders-pass-through").expect("listed");
+        let wrong = measure("round/crossed", 0.01, (planted.subject.engine)().as_mut());
+        for (name, _) in PAIRS {
+            assert_eq!(worst(&right, name), Some(Verdict::Pass), "{name}");
+            let expected = if name == "cylinders" { Verdict::Fail } else { Verdict::Pass };
+            assert_eq!(worst(&wrong, name), Some(expected), "{name}");
+        }
+    }
 
     /// J across the axis \[kg·m²\], written out: m (R²/4 + L²/3), and a capsule's with its two half balls.
     fn across(body: &Body) -> f64 {
