@@ -12,18 +12,26 @@
 
 use super::of_mechanism::{LARGEST, body_width};
 use super::{BlockSparse, MatrixFree};
-use crate::contact::{BodyRows, Inertia, Jacobian, Rows};
+use crate::contact::{Inertia, Jacobian, Rows};
 use crate::tolerance::velocities::{MOST_ROWS, MOST_VELOCITIES, PAYS, RANK, RECOVERED};
 use nalgebra::DMatrix;
 use std::collections::BTreeMap;
 
+/// Rows that every part of Y is padded to.
+const PADDED: usize = 3;
+
 /// Y by contacts and groups of velocities.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct VelocityFactor {
     /// Columns of every group.
     pub columns: Vec<usize>,
-    /// Of every contact its groups, with the rows of the contact × the columns of the group.
-    pub parts: Vec<Vec<(usize, DMatrix<f64>)>>,
+    rows_per_contact: usize,
+    /// The parts of contact k are numbers starts[k] .. starts[k + 1].
+    starts: Vec<usize>,
+    /// The group of every part, and where its entries begin.
+    parts: Vec<(usize, usize)>,
+    /// Three rows of every part, row after row; those that the contact does not have are zero.
+    pub entries: Vec<f64>,
 }
 
 fn pays(velocities: usize, rows: usize) -> bool {
@@ -45,10 +53,55 @@ struct Bundle {
 }
 
 impl VelocityFactor {
+    /// No contact yet, of so many rows each, with room for so many of two groups of so many columns.
+    fn with_capacity(columns: Vec<usize>, rows_per_contact: usize, contacts: usize, width: usize) -> Self {
+        let mut starts = Vec::with_capacity(contacts + 1);
+        starts.push(0);
+        let (parts, entries) = (Vec::with_capacity(2 * contacts), Vec::with_capacity(2 * PADDED * contacts * width));
+        VelocityFactor { columns, rows_per_contact, starts, parts, entries }
+    }
+
+    /// Appends a part of the contact that is not complete yet, given row by row.
+    fn push(&mut self, group: usize, rows: impl IntoIterator<Item = f64>) {
+        let first = self.entries.len();
+        self.parts.push((group, first));
+        self.entries.extend(rows);
+        self.entries.resize(first + PADDED * self.columns[group], 0.0);
+    }
+
+    /// Completes a contact.
+    fn end(&mut self) {
+        self.starts.push(self.parts.len());
+    }
+
+    /// How many contacts there are.
+    pub fn contacts(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// Rows of each contact.
+    pub fn rows_per_contact(&self) -> usize {
+        self.rows_per_contact
+    }
+
+    /// Of a contact its groups, and where the entries of each begin.
+    pub fn parts(&self, contact: usize) -> &[(usize, usize)] {
+        &self.parts[self.starts[contact]..self.starts[contact + 1]]
+    }
+
+    /// Becomes a copy of another one, in its own memory.
+    pub fn copy_from(&mut self, other: &VelocityFactor) {
+        self.rows_per_contact = other.rows_per_contact;
+        self.columns.clone_from(&other.columns);
+        self.starts.clone_from(&other.starts);
+        self.parts.clone_from(&other.parts);
+        self.entries.clone_from(&other.entries);
+    }
+
     /// Whether there are so much fewer velocities than rows that elimination in them pays.
     pub fn pays(&self) -> bool {
-        let rows: usize = self.parts.iter().filter_map(|parts| parts.first()).map(|(_, block)| block.nrows()).sum();
-        pays(self.columns.iter().sum(), rows)
+        let contacts = (0..self.contacts()).filter(|k| !self.parts(*k).is_empty()).count();
+        pays(self.columns.iter().sum(), self.rows_per_contact * contacts)
     }
 
     /// Of a mechanism that consists of bodies of one size; none where it does not, or its velocities are too many to pay.
@@ -60,9 +113,10 @@ impl VelocityFactor {
         if !pays(bodies.len() * width, jacobian.nrows()) {
             return None;
         }
-        let factor = inertia.factor();
-        let parts = jacobian.contacts().iter().map(|contact| {
-            let block = |part: BodyRows| {
+        let (factor, contacts) = (inertia.factor(), jacobian.contacts());
+        let mut made = VelocityFactor::with_capacity(vec![width; bodies.len()], jacobian.rows_per_contact(), contacts.len(), width);
+        for contact in contacts {
+            for part in contact.parts() {
                 let (mut entries, pivots) = ([0.0; LARGEST], &factor.pivots()[part.first..part.first + width]);
                 let entries = &mut entries[..part.entries.len()];
                 entries.copy_from_slice(part.entries);
@@ -70,12 +124,12 @@ impl VelocityFactor {
                     factor.forward_within(part.first, row);
                     row.iter_mut().zip(pivots).for_each(|(y, pivot)| *y /= pivot.sqrt());
                 }
-                let block = DMatrix::from_row_slice(part.entries.len() / width, width, entries);
-                (bodies.binary_search(&(part.first / width)).expect("a body of a contact is one of all"), block)
-            };
-            contact.parts().map(block).collect()
-        });
-        Some(VelocityFactor { columns: vec![width; bodies.len()], parts: parts.collect() })
+                let group = bodies.binary_search(&(part.first / width)).expect("a body of a contact is one of all");
+                made.push(group, entries.iter().copied());
+            }
+            made.end();
+        }
+        Some(made)
     }
 
     /// Of bodies that are known, in coordinates in which every mass is one; none where a mass is not symmetric.
@@ -84,14 +138,17 @@ impl VelocityFactor {
             return None;
         }
         let (jacobian, d) = (free.jacobian(), free.rows_per_contact());
-        let block = |block: usize, body: usize| {
-            let (range, entries) = (jacobian.velocities(body), &free.left()[jacobian.place(block)]);
-            let scale = &free.inverse()[range.clone()];
-            (body, DMatrix::from_fn(d, range.len(), |i, j| entries[i * range.len() + j] * scale[j].sqrt()))
-        };
-        let contact = |k: usize| jacobian.blocks(k).zip(jacobian.bodies(k)).map(|(at, body)| block(at, *body as usize)).collect();
-        let columns = (0..jacobian.body_count()).map(|body| jacobian.velocities(body).len()).collect();
-        Some(VelocityFactor { columns, parts: (0..free.contacts()).map(contact).collect() })
+        let columns: Vec<usize> = (0..jacobian.body_count()).map(|body| jacobian.velocities(body).len()).collect();
+        let mut made = VelocityFactor::with_capacity(columns, d, free.contacts(), 0);
+        for k in 0..free.contacts() {
+            for (block, body) in jacobian.blocks(k).zip(jacobian.bodies(k).iter().map(|body| *body as usize)) {
+                let scale = &free.inverse()[jacobian.velocities(body)];
+                let entries = free.left()[jacobian.place(block)].iter().enumerate();
+                made.push(body, entries.map(|(place, y)| y * scale[place % scale.len()].sqrt()));
+            }
+            made.end();
+        }
+        Some(made)
     }
 
     /// None where W is not such a product, or its blocks do not determine the bodies.
@@ -103,12 +160,12 @@ impl VelocityFactor {
             known[b] = from_three(w, &bundles, members);
         }
         while spread(w, &bundles, &bodies, &mut known) {}
-        let mut found = VelocityFactor { columns: Vec::new(), parts: vec![Vec::new(); w.contacts()] };
+        let (mut columns, mut parts) = (Vec::new(), vec![Vec::new(); w.contacts()]);
         for (members, known) in bodies.iter().zip(&known) {
             let known = known.as_ref()?;
-            found.columns.push(known.columns);
+            columns.push(known.columns);
             for (g, factor) in members.iter().zip(&known.factors) {
-                found.add(&bundles[*g], w.rows_per_contact(), factor);
+                bundles[*g].add(columns.len() - 1, w.rows_per_contact(), factor, &mut parts);
             }
         }
         for (g, bundle) in bundles.iter().enumerate() {
@@ -119,18 +176,16 @@ impl VelocityFactor {
             }
             let factor = pivoted(&left, RECOVERED * bundle.own.amax())?;
             if factor.ncols() > 0 {
-                found.columns.push(factor.ncols());
-                found.add(bundle, w.rows_per_contact(), &factor);
+                columns.push(factor.ncols());
+                bundle.add(columns.len() - 1, w.rows_per_contact(), &factor, &mut parts);
             }
         }
-        found.reproduces(w).then_some(found)
-    }
-
-    fn add(&mut self, bundle: &Bundle, d: usize, factor: &DMatrix<f64>) {
-        let rows = &bundle.weights * factor;
-        for (place, &contact) in bundle.contacts.iter().enumerate() {
-            self.parts[contact].push((self.columns.len() - 1, rows.rows(place * d, d).into_owned()));
+        let mut found = VelocityFactor::with_capacity(columns, w.rows_per_contact(), w.contacts(), 0);
+        for contact in &parts {
+            contact.iter().for_each(|(group, block)| found.push(*group, block.transpose().iter().copied()));
+            found.end();
         }
+        found.reproduces(w).then_some(found)
     }
 
     /// Whether Y Yᵀ is W, block by block.
@@ -142,16 +197,27 @@ impl VelocityFactor {
             w.column(k).all(|(j, block)| {
                 let mut largest = 0.0_f64;
                 for (place, entry) in block.iter().enumerate() {
-                    let pairs =
-                        self.parts[k].iter().flat_map(|(group, own)| self.parts[j].iter().map(move |(other, y)| (group == other, own, y)));
-                    let found = pairs
-                        .filter(|(same, ..)| *same)
-                        .map(|(_, own, y)| (0..y.ncols()).map(|c| y[(place % d, c)] * own[(place / d, c)]).sum::<f64>());
+                    let pairs = self.parts(k).iter().flat_map(|own| self.parts(j).iter().map(move |other| (own, other)));
+                    let found = pairs.filter(|(own, other)| own.0 == other.0).map(|((group, own), (_, y))| {
+                        let n = self.columns[*group];
+                        let (y, own) = (&self.entries[y + place % d * n..][..n], &self.entries[own + place / d * n..][..n]);
+                        y.iter().zip(own).map(|(y, own)| y * own).sum::<f64>()
+                    });
                     largest = largest.max((entry - found.sum::<f64>()).abs());
                 }
                 largest <= RECOVERED * (size[j] * size[k]).sqrt()
             })
         })
+    }
+}
+
+impl Bundle {
+    /// Adds the rows of all its contacts at one group to their parts.
+    fn add(&self, group: usize, d: usize, factor: &DMatrix<f64>, parts: &mut [Vec<(usize, DMatrix<f64>)>]) {
+        let rows = &self.weights * factor;
+        for (place, &contact) in self.contacts.iter().enumerate() {
+            parts[contact].push((group, rows.rows(place * d, d).into_owned()));
+        }
     }
 }
 
@@ -386,10 +452,11 @@ pub(crate) mod tests {
     fn product(factor: &VelocityFactor, contacts: usize, d: usize) -> DMatrix<f64> {
         let columns: usize = factor.columns.iter().sum();
         let mut y = DMatrix::zeros(contacts * d, columns);
-        for (k, parts) in factor.parts.iter().enumerate() {
-            for (group, block) in parts {
-                let first: usize = factor.columns[..*group].iter().sum();
-                y.view_mut((k * d, first), block.shape()).copy_from(block);
+        for k in 0..factor.contacts() {
+            for (group, at) in factor.parts(k) {
+                let (first, n) = (factor.columns[..*group].iter().sum::<usize>(), factor.columns[*group]);
+                let block = DMatrix::from_row_slice(d, n, &factor.entries[*at..at + d * n]);
+                y.view_mut((k * d, first), (d, n)).copy_from(&block);
             }
         }
         &y * y.transpose()

@@ -20,8 +20,8 @@ mod solution;
 pub mod stewart_trinkle;
 
 pub use carried::carried;
-pub(crate) use contact_problem::island_rows;
 pub use contact_problem::{Compliance, ContactProblem, ContactProblemBuilder, Coordinates, Dynamics};
+pub(crate) use contact_problem::{Weights, island_rows};
 pub use jointed::{ConstraintKind, JointedProblem};
 #[cfg(feature = "files")]
 pub use json::{LcpFile, ProblemFile, SolutionFile};

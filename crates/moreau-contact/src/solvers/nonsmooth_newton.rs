@@ -30,6 +30,7 @@ use super::elimination;
 use super::friction_equations::FrictionEquations;
 use super::friction_set::{FrictionSet, Piece};
 use super::stopping::Stopping;
+use super::workspace;
 use crate::certificate::Judge;
 use crate::problem::{ContactProblem, Coordinates, Law, Solution};
 use crate::tolerance::solvers as tolerance;
@@ -84,7 +85,12 @@ impl ContactSolver for NonsmoothNewton {
         if !NonsmoothNewton::fits(problem) {
             return Err(Error::refused(self.name(), "does not solve a compliance on edges, of which the impulse is not a function"));
         }
-        self.solve_with(problem, warm_start, Self::systems(problem).as_mut())
+        let mut memory = workspace::borrow(problem);
+        let systems = problem.delassus().blocks().map(|w| {
+            memory.systems.prepare(problem, w);
+            &mut memory.systems
+        });
+        self.solve_with(problem, warm_start, systems)
     }
 }
 
@@ -159,7 +165,7 @@ struct Equations<'a> {
     /// What solves with J where W is stored by blocks.
     systems: Option<&'a mut ContactSystems>,
     /// ρ_n, ρ_t per contact \[kg\].
-    weights: Vec<[f64; 2]>,
+    weights: &'a [[f64; 2]],
 }
 
 impl<'a> Equations<'a> {
