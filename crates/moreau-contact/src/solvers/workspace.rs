@@ -26,6 +26,32 @@ impl Default for Workspace {
     }
 }
 
+impl Workspace {
+    /// Proposes impulses \[N·s\], which may be changed before they are judged.
+    pub fn propose(&mut self, impulse: &[f64]) -> &mut [f64] {
+        for part in [&mut self.answer.impulse, &mut self.answer.velocity] {
+            if part.len() != impulse.len() {
+                part.resize_vertically_mut(impulse.len(), 0.0);
+            }
+        }
+        self.answer.impulse.copy_from_slice(impulse);
+        self.answer.impulse.as_mut_slice()
+    }
+
+    /// The largest relative residual of what is proposed, whose velocities are computed; infinite where it is not a number.
+    pub fn relative(&mut self, problem: &ContactProblem) -> f64 {
+        let Workspace { judge, answer, .. } = self;
+        problem.write_velocity(answer.impulse.as_slice(), answer.velocity.as_mut_slice());
+        let judged = judge.judge(problem, answer).map_or(f64::INFINITY, |judged| judged.relative());
+        if judged.is_nan() { f64::INFINITY } else { judged }
+    }
+
+    /// What was judged last, as the answer of a solver.
+    pub fn answered(&self, solver: &str, iterations: usize) -> Solution {
+        Solution::new(solver, self.answer.impulse.clone(), self.answer.velocity.clone(), iterations)
+    }
+}
+
 thread_local! {
     #[expect(clippy::vec_box, reason = "a workspace is taken out and put back at every solve, and is large")]
     static FREE: RefCell<Vec<Box<Workspace>>> = const { RefCell::new(Vec::new()) };
@@ -65,5 +91,46 @@ impl Deref for Borrowed {
 impl DerefMut for Borrowed {
     fn deref_mut(&mut self) -> &mut Workspace {
         self.own.as_mut().expect("it is there until the end")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certificate::residuals;
+    use nalgebra::{DMatrix, DVector};
+
+    /// n masses that fall onto the floor one by one.
+    fn falling(n: usize, mass: f64) -> ContactProblem {
+        let delassus = DMatrix::from_diagonal_element(n, n, 1.0 / mass);
+        ContactProblem::new(delassus, DVector::from_element(n, -1.0)).rows_per_contact(1).build().unwrap()
+    }
+
+    #[test]
+    fn nothing_of_the_problem_before_is_left_in_the_memory() {
+        for (n, mass) in [(5, 1.0), (2, 4.0), (7, 0.5), (2, 1.0)] {
+            let problem = falling(n, mass);
+            for part in [1.0, 0.75] {
+                let mut memory = borrow(&problem);
+                memory.propose(&vec![part * mass; n]);
+                let found = memory.relative(&problem);
+                let answer = memory.answered("by hand", 3);
+                assert_eq!(found, residuals(&problem, &answer).unwrap().judged.relative(), "{n} {mass} {part}");
+                assert_eq!((found == 0.0, answer.velocity), (part == 1.0, DVector::from_element(n, part - 1.0)));
+            }
+        }
+    }
+
+    #[test]
+    fn a_solver_within_another_has_memory_of_its_own() {
+        let problem = falling(3, 1.0);
+        let mut outer = borrow(&problem);
+        outer.propose(&[1.0; 3]);
+        borrow(&problem).propose(&[0.0; 3]);
+        assert_eq!(outer.relative(&problem), 0.0);
+        let large = falling(KEPT + 1, 1.0);
+        borrow(&large).propose(&vec![1.0; KEPT + 1]);
+        drop(outer);
+        assert!(borrow(&problem).answer.impulse.len() <= KEPT, "that of a large problem is not kept");
     }
 }

@@ -254,6 +254,12 @@ impl ContactProblem {
         self.apply(impulse) + &self.free_velocity
     }
 
+    /// Overwrites `velocity` with [`ContactProblem::velocity`].
+    pub(crate) fn write_velocity(&self, impulse: &[f64], velocity: &mut [f64]) {
+        self.delassus.write_product(impulse, velocity);
+        velocity.iter_mut().zip(&self.free_velocity).for_each(|(u, free)| *u += free);
+    }
+
     /// y = u + shift + R r \[m/s\]; an edge compliance is not part of it, because it acts on edge impulses.
     pub fn law_velocity(&self, impulse: &DVector<f64>) -> DVector<f64> {
         let mut y = DVector::zeros(impulse.len());

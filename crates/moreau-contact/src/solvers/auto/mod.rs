@@ -166,12 +166,9 @@ fn at_once(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Go
         return Some(Solution::new(NAME, DVector::zeros(problem.rows()), problem.free_velocity().clone(), 0));
     }
     let kept = warm_start?;
-    let solution = Solution::new(NAME, kept.clone(), problem.velocity(kept), 0);
-    is_within(problem, &solution, goal.enough).then_some(solution)
-}
-
-fn is_within(problem: &ContactProblem, solution: &Solution, relative: f64) -> bool {
-    workspace::borrow(problem).judge.judge(problem, solution).is_ok_and(|judged| judged.relative() <= relative)
+    let mut memory = workspace::borrow(problem);
+    memory.propose(kept.as_slice());
+    (memory.relative(problem) <= goal.enough).then(|| memory.answered(NAME, 0))
 }
 
 /// The answers to all islands, if there are several and one has an answer; no other algorithm does better, for they do not move each other.
