@@ -20,6 +20,7 @@ pub mod passes;
 mod sparse;
 mod sparse_dynamics;
 mod velocity_factor;
+mod velocity_recovery;
 
 pub use block_rows::BlockRows;
 pub use blocks::BlockSparse;
@@ -32,7 +33,7 @@ pub use sparse::Sparse;
 pub use sparse_dynamics::SparseDynamics;
 pub(crate) use velocity_factor::VelocityFactor;
 #[cfg(test)]
-pub(crate) use velocity_factor::tests::wall;
+pub(crate) use velocity_recovery::tests::wall;
 
 /// W, however it is stored.
 #[derive(Clone, Debug)]
