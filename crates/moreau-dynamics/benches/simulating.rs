@@ -2,7 +2,7 @@
 //!
 //! `cargo bench -p moreau-dynamics --bench simulating` runs all scenes, `cargo bench --bench simulating -- stack` those whose name has the word. The share of
 //! the certificates is the time of judging every answer once more over the time of the same run, so that a busy machine changes it little.
-//! It fails if a step allocates more often than docs/benchmarks/simulating.md promises of its scene.
+//! It fails if a step asks for memory more often than docs/benchmarks/simulating.md promises of its scene: new memory, or more of it.
 //! Live memory is what the allocator has given out and not got back, measured at the end of each step while its parts are still held.
 
 use moreau_contact::certificate::Judge;
@@ -11,7 +11,7 @@ use moreau_contact::solvers::{Auto, ContactSolver};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::schemes::{Certified, MoreauJean, run_certified};
 use nalgebra::DVector;
-use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
+use stats_alloc::{INSTRUMENTED_SYSTEM, Region, Stats, StatsAlloc};
 use std::alloc::System;
 use std::process::ExitCode;
 use std::sync::Mutex;
@@ -129,6 +129,11 @@ fn pile() -> Scene {
     scene("pile", &bodies)
 }
 
+/// How often memory was asked for.
+fn asked(stats: &Stats) -> usize {
+    stats.allocations + stats.reallocations
+}
+
 /// Runs a scene and prints its line; false if it allocates more often than promised.
 fn run(Case { name, scene, h, warm, steps, most }: Case) -> bool {
     let (mechanism, start) = scene.spatial_mechanism().expect("bodies in space");
@@ -162,13 +167,13 @@ fn run(Case { name, scene, h, warm, steps, most }: Case) -> bool {
         "{name:8} {steps:6} {contacts:8} {:10.0} {:12.3} {:11.1} {:10.1} {:12.1} {:8.1} % {:8.1} % {rejected:8}",
         steps as f64 / plain,
         1e3 * slowest,
-        each(given.allocations - counted.allocations),
+        each(asked(&given) - asked(&counted)),
         each(given.bytes_allocated - counted.bytes_allocated) / 1e3,
         live as f64 / 1e6,
         100.0 * solving.as_secs_f64() / plain,
         100.0 * judging.as_secs_f64() / plain,
     );
-    let found = each(given.allocations - counted.allocations);
+    let found = each(asked(&given) - asked(&counted));
     if found > most {
         eprintln!("{name}: {found:.1} allocations a step, and {most} are promised");
     }
@@ -179,10 +184,10 @@ fn main() -> ExitCode {
     let word = std::env::args().skip(1).find(|word| !word.starts_with('-')).unwrap_or_default();
     println!("scene     steps contacts    steps/s  slowest [ms] allocations  kB a step  live [MB]    solver   certificates rejected");
     let cases = [
-        Case { name: "stack", scene: stack(), h: 0.002, warm: 10, steps: 1000, most: 230.0 },
-        Case { name: "at-rest", scene: stack(), h: 0.002, warm: 1000, steps: 1000, most: 240.0 },
-        Case { name: "heap", scene: heap(), h: 0.002, warm: 10, steps: 500, most: 1060.0 },
-        Case { name: "field", scene: field(), h: 0.001, warm: 10, steps: 100, most: 65.0 },
+        Case { name: "stack", scene: stack(), h: 0.002, warm: 10, steps: 1000, most: 69.0 },
+        Case { name: "at-rest", scene: stack(), h: 0.002, warm: 1000, steps: 1000, most: 65.0 },
+        Case { name: "heap", scene: heap(), h: 0.002, warm: 10, steps: 500, most: 440.0 },
+        Case { name: "field", scene: field(), h: 0.001, warm: 10, steps: 100, most: 57.0 },
         Case { name: "pile", scene: pile(), h: 0.002, warm: 50, steps: 50, most: f64::INFINITY },
     ];
     let broken = cases.into_iter().filter(|case| case.name.contains(&word)).map(run).filter(|kept| !kept).count();

@@ -7,6 +7,9 @@
 use crate::problem::ContactProblem;
 use crate::tolerance::certificate::COUPLED;
 
+/// Columns of a contact of two free bodies in space: room that nearly always is enough.
+const FEW_COLUMNS: usize = 12;
+
 /// The first contact of the same two bodies, for every contact.
 pub(super) fn find(problem: &ContactProblem) -> Vec<usize> {
     let mut found: Vec<usize> = (0..problem.contacts()).collect();
@@ -49,7 +52,9 @@ impl Touching {
     fn set(&mut self, problem: &ContactProblem, contacts: &[usize]) {
         let Touching { columns, order } = self;
         columns.clear();
+        columns.reserve(FEW_COLUMNS * contacts.len());
         order.clear();
+        order.reserve(contacts.len());
         for &k in contacts {
             let first = columns.len();
             problem.push_touched(k, columns);

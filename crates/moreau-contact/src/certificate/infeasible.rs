@@ -104,8 +104,8 @@ impl Sought<'_> {
             return self.of_joined();
         }
         let (last, of_lone) = (islands.members.len().checked_sub(1)?, islands.last_is_of_lone);
-        let apart = |(place, members): (usize, &Vec<usize>)| -> Vec<Vec<usize>> {
-            if of_lone && place == last { members.iter().map(|k| vec![*k]).collect() } else { vec![members.clone()] }
+        let apart = |(place, members): (usize, &[usize])| -> Vec<Vec<usize>> {
+            if of_lone && place == last { members.iter().map(|k| vec![*k]).collect() } else { vec![members.to_vec()] }
         };
         let mut all: Vec<Vec<usize>> = islands.members.iter().enumerate().flat_map(apart).collect();
         all.sort_by_key(Vec::len);

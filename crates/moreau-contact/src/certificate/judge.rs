@@ -17,7 +17,7 @@
 use super::at_contact::{AtContact, Here, worst};
 use super::part::{Part, pair};
 use super::polyhedral::{self, Pairs};
-use super::scales::{Scales, Unheld};
+use super::scales::{self, Held, Scales, Unheld};
 use crate::cones::second_order::{distance, length, tangential_norm};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::certificate::PROJECTED;
@@ -190,10 +190,8 @@ impl Judge {
     }
 
     /// ρ_n and ρ_t of every contact \[kg\].
-    pub(crate) fn weights(problem: &ContactProblem) -> Vec<[f64; 2]> {
-        let mut scales = Scales::default();
-        scales.prepare(problem);
-        scales.weights
+    pub(crate) fn weights(problem: &ContactProblem) -> &[[f64; 2]] {
+        &problem.weights(scales::weigh).weights
     }
 
     /// Weights and groups of a problem that is then measured at many answers.
@@ -234,23 +232,14 @@ impl Judge {
             if k > 0 && self.is_plainly_open(problem.law(), [r, y], k) {
                 continue;
             }
-            let here = Here {
-                contact: k,
-                friction: problem.friction()[k],
-                r,
-                y,
-                weights: self.scales.weights[k],
-                sizes: self.scales.at(k),
-                impulse: self.scales.of_impulse(k),
-                floors: self.scales.floors_at(k, k * rows..(k + 1) * rows),
-                most: self.scales.most(k),
-            };
+            let Held { sizes, most, impulse, floors, uncertain } = self.scales.held(k, k * rows..(k + 1) * rows);
+            let here =
+                Here { contact: k, friction: problem.friction()[k], r, y, weights: self.scales.weights[k], sizes, impulse, floors, most };
             let at = match problem.law() {
                 Law::PolyhedralCoulomb { directions } => polyhedral::stewart_trinkle(&mut self.pairs, solution, directions, &here),
                 Law::PolyhedralAssociated { directions } => polyhedral::edges(&mut self.pairs, problem, solution, directions, &here)?,
                 law => second_order(law, &here),
             };
-            let uncertain = self.scales.uncertain_at(k, k * rows..(k + 1) * rows);
             judged.take(k, AtContact { dual: uncertain.map_or(at.dual, |part| at.dual.worse(part)), ..at }, see);
         }
         Ok(judged)

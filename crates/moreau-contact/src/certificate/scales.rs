@@ -35,7 +35,7 @@ use super::groups;
 use super::part::Part;
 use crate::cones::polyhedral::direction;
 use crate::cones::second_order::{length, tangential_norm};
-use crate::problem::{ContactProblem, Law};
+use crate::problem::{ContactProblem, Law, Weights};
 use crate::tolerance::certificate::{HIDDEN, JAMMED, PROJECTED, gamma};
 
 /// Entries of the largest block of a contact, of six rows.
@@ -62,6 +62,21 @@ pub(super) struct Scales {
     largest: Vec<Largest>,
     /// What the rows would do without the joints that hold them, and the largest such velocity; nothing where there are none \[m/s\].
     unheld: (Vec<f64>, f64),
+}
+
+/// What the numbers of one contact are held against.
+pub(super) struct Held {
+    /// s_n, s_r and s_t \[N·s\].
+    pub sizes: [f64; 3],
+    /// The largest scale of an impulse that moves this contact along the normal, and along the tangents \[N·s\].
+    pub most: [f64; 2],
+    /// The scale of r_n itself, with its rounding \[N·s\]: s_n, or – where an impulse does not move its own contact – the normal impulses
+    /// between the two bodies.
+    pub impulse: [f64; 2],
+    /// The floors of the normal row and of the tangential rows \[m/s\], limited to the part of the given velocities that rounding may hide.
+    pub floors: [f64; 2],
+    /// The rounding of y where it hides more of the given velocities than it may: as large a residual, for y tells nothing there.
+    pub uncertain: Option<Part>,
 }
 
 /// The largest numbers of an island.
@@ -93,27 +108,35 @@ pub(super) struct Unheld<'a> {
     pub fastest: f64,
 }
 
+/// The weights of every contact: what its impulse moves at itself, and whether it moves anything.
+pub(super) fn weigh(problem: &ContactProblem) -> Weights {
+    let (rows, operator, mut block) = (problem.rows_per_contact(), problem.delassus().of_contacts(), [0.0; MOST_ENTRIES]);
+    let block = &mut block[..rows * rows];
+    let one = |k: usize| {
+        operator.diagonal_block(k, block);
+        let diagonal = |row: usize| block[row * (rows + 1)] + problem.row_compliance(k * rows + row);
+        let tangential: f64 = (1..rows).map(diagonal).sum();
+        [inverse(1.0, diagonal(0)), inverse((rows - 1) as f64, tangential)]
+    };
+    let mut weights: Vec<[f64; 2]> = (0..problem.contacts()).map(one).collect();
+    let moves_itself = weights.iter().map(|weights| weights.map(f64::is_finite)).collect();
+    // A block without a trace has no mass of its own. Every mass > 0 has the same zeros: the largest of the problem is the strictest.
+    let largest = weights.iter().flatten().copied().filter(|rho| rho.is_finite()).fold(0.0, f64::max);
+    let instead = if largest > 0.0 { largest } else { 1.0 };
+    weights.iter_mut().flatten().filter(|rho| !rho.is_finite()).for_each(|rho| *rho = instead);
+    Weights { weights, moves_itself }
+}
+
 impl Scales {
     /// Weights and groups of a problem; the floors are 0 until they are asked for.
     pub fn prepare(&mut self, problem: &ContactProblem) {
-        let (rows, contacts) = (problem.rows_per_contact(), problem.contacts());
+        let Weights { weights, moves_itself } = problem.weights(weigh);
         self.floors.clear();
         self.floors.resize(problem.rows(), 0.0);
         self.weights.clear();
-        let (operator, mut block) = (problem.delassus().of_contacts(), [0.0; MOST_ENTRIES]);
-        let block = &mut block[..rows * rows];
-        self.weights.extend((0..contacts).map(|k| {
-            operator.diagonal_block(k, block);
-            let diagonal = |row: usize| block[row * (rows + 1)] + problem.row_compliance(k * rows + row);
-            let tangential: f64 = (1..rows).map(diagonal).sum();
-            [inverse(1.0, diagonal(0)), inverse((rows - 1) as f64, tangential)]
-        }));
+        self.weights.extend_from_slice(weights);
         self.moves_itself.clear();
-        self.moves_itself.extend(self.weights.iter().map(|weights| weights.map(f64::is_finite)));
-        // A block without a trace has no mass of its own. Every mass > 0 has the same zeros: the largest of the problem is the strictest.
-        let largest = self.weights.iter().flatten().copied().filter(|rho| rho.is_finite()).fold(0.0, f64::max);
-        let instead = if largest > 0.0 { largest } else { 1.0 };
-        self.weights.iter_mut().flatten().filter(|rho| !rho.is_finite()).for_each(|rho| *rho = instead);
+        self.moves_itself.extend_from_slice(moves_itself);
         self.group.clear();
         self.group.extend_from_slice(problem.groups(groups::find));
         self.island.clear();
@@ -183,20 +206,14 @@ impl Scales {
         [s_n, if self.moves_itself[contact][0] { s_r } else { 0.0 }, s_t]
     }
 
-    /// The floors of a contact's normal row and of its tangential rows \[m/s\]. They are limited to the part of the given velocities that
-    /// rounding may hide.
-    pub fn floors_at(&self, contact: usize, rows: std::ops::Range<usize>) -> [f64; 2] {
-        let floors = &self.floors[rows];
-        let most = self.hidden(contact);
-        [floors[0].min(most), tangential_norm(floors).min(most)]
-    }
-
-    /// The rounding of y at a contact where it hides more of the given velocities than it may: as large a residual, for y tells nothing
-    /// there.
-    pub fn uncertain_at(&self, contact: usize, rows: std::ops::Range<usize>) -> Option<Part> {
-        let (floors, most) = (&self.floors[rows], self.hidden(contact));
-        let value = floors[0].max(tangential_norm(floors));
-        (value > most).then(|| Part { value, scale: self.at(contact)[0] / self.weights[contact][0], floor: most })
+    /// What the numbers of a contact are held against.
+    pub fn held(&self, contact: usize, rows: std::ops::Range<usize>) -> Held {
+        let (floors, hidden, most) = (&self.floors[rows], self.hidden(contact), self.most(contact));
+        let (sizes, floors) = (self.at_most(contact, most), [floors[0], tangential_norm(floors)]);
+        let impulse = if self.moves_itself[contact][0] { [sizes[0], 0.0] } else { self.of_impulse(contact) };
+        let value = floors[0].max(floors[1]);
+        let uncertain = (value > hidden).then(|| Part { value, scale: sizes[0] / self.weights[contact][0], floor: hidden });
+        Held { sizes, most, impulse, floors: floors.map(|floor| floor.min(hidden)), uncertain }
     }
 
     /// Whether the rounding of y at these rows of a contact is within what it may hide.
@@ -220,26 +237,26 @@ impl Scales {
         if given > 0.0 { given * HIDDEN } else { f64::INFINITY }
     }
 
-    /// The scale of r_n itself, with its rounding \[N·s\]: s_n, or – where an impulse does not move its own contact, so that no velocity
-    /// tells how large it should be – the normal impulses there are between the two bodies.
-    pub fn of_impulse(&self, contact: usize) -> [f64; 2] {
-        if self.moves_itself[contact][0] {
-            return [self.at(contact)[0], 0.0];
-        }
+    /// The scale of r_n itself, with its rounding \[N·s\], where an impulse does not move its own contact, so that no velocity tells how
+    /// large it should be: the normal impulses there are between the two bodies.
+    fn of_impulse(&self, contact: usize) -> [f64; 2] {
         let largest = self.largest[self.island[contact]].impulse;
         [self.shared[self.group[contact]][1], gamma(2 * self.shared.len() + 8) * largest]
     }
 
     /// s_n, s_r and s_t of contact k \[N·s\].
     pub fn at(&self, contact: usize) -> [f64; 3] {
+        self.at_most(contact, self.most(contact))
+    }
+
+    fn at_most(&self, contact: usize, [moved_n, moved_t]: [f64; 2]) -> [f64; 3] {
         let ([s_n, s_r, s_t], [own_n, own_r, own_t]) = (self.shared[self.group[contact]], self.own[contact]);
         let [most_n, most_t] = self.weights[contact].map(|weight| JAMMED * weight * self.largest[self.island[contact]].velocity());
-        let [moved_n, moved_t] = self.most(contact);
         [s_n.max(own_n).min(most_n), s_r.max(own_r).min(moved_n).min(moved_t), s_t.max(own_t).min(most_t)]
     }
 
     /// 10³ ρ V, normal and tangential \[N·s\], where impulses move their own contact so; else infinite.
-    pub fn most(&self, contact: usize) -> [f64; 2] {
+    fn most(&self, contact: usize) -> [f64; 2] {
         let fastest = self.largest[self.island[contact]].velocity();
         let ([rho_n, rho_t], [normal, tangential]) = (self.weights[contact], self.moves_itself[contact]);
         let most = |moves: bool, rho: f64| if moves { JAMMED * rho * fastest } else { f64::INFINITY };
@@ -280,4 +297,22 @@ fn closing(law: Law, mu: f64, q: &[f64]) -> f64 {
 /// count/trace, infinite if the trace is not positive.
 fn inverse(count: f64, trace: f64) -> f64 {
     if trace > 0.0 { count / trace } else { f64::INFINITY }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Judge;
+    use super::*;
+    use nalgebra::{DMatrix, DVector, dvector};
+
+    #[test]
+    fn what_was_found_of_a_hard_problem_is_not_believed_of_the_softer_one() {
+        let hard = ContactProblem::new(DMatrix::identity(2, 2), dvector![-1.0, 2.0]).rows_per_contact(2).friction(vec![0.5]);
+        let hard = hard.build().unwrap();
+        assert_eq!(Judge::weights(&hard), [[1.0, 1.0]]);
+        let mut softer = hard.clone();
+        softer.soften(dvector![1.0, 3.0], DVector::zeros(2));
+        assert_eq!(Judge::weights(&softer), [[0.5, 0.25]]);
+        assert_eq!(Judge::weights(&hard), [[1.0, 1.0]]);
+    }
 }

@@ -138,9 +138,14 @@ impl<T: Scalar> MassFactor<T> {
     /// # Ok::<(), moreau_contact::Error>(())
     /// ```
     pub fn solve(&self, impulse: &DVector<T>) -> DVector<T> {
-        let n = self.pivots.len();
-        assert_eq!(impulse.len(), n, "a generalised impulse has one entry per velocity");
         let mut x = impulse.clone();
+        self.solve_in_place(&mut x);
+        x
+    }
+
+    /// Overwrites the generalised impulse x by the velocity change M⁻¹x.
+    pub(super) fn solve_in_place(&self, x: &mut DVector<T>) {
+        assert_eq!(x.len(), self.pivots.len(), "a generalised impulse has one entry per velocity");
         self.forward(x.as_mut_slice());
         for (k, d) in self.pivots.iter().enumerate() {
             x[k] /= d.clone();
@@ -151,7 +156,6 @@ impl<T: Scalar> MassFactor<T> {
                 x[*k] -= known;
             }
         }
-        x
     }
 
     /// D.

@@ -138,6 +138,12 @@ impl Inertia {
         self.factor.solve(impulse)
     }
 
+    /// M̂⁻¹ p in the memory of p.
+    pub fn solved(&self, mut impulse: DVector<f64>) -> DVector<f64> {
+        self.factor.solve_in_place(&mut impulse);
+        impulse
+    }
+
     /// Whether M̂ couples no two velocities of different bodies, where each body has `width` velocities.
     pub(crate) fn is_made_of(&self, width: usize) -> bool {
         match &self.mass {
@@ -191,6 +197,7 @@ mod tests {
         let dense = Inertia::new(inertia.matrix().clone()).expect("definite");
         let impulse = dvector![1.0, -2.0, 0.3, 0.7, -0.2];
         assert_eq!(inertia.solve(&impulse), dense.solve(&impulse));
+        assert_eq!(inertia.solved(impulse.clone()), inertia.solve(&impulse));
         assert!((inertia.mass().times(&impulse) - dense.mass().times(&impulse)).amax() <= moreau_exact::tolerance::rounding(8, 4.0));
         assert!(inertia.is_made_of(5) && !inertia.is_made_of(1) && !inertia.is_made_of(4));
         let diagonal = Inertia::of(Mass::Diagonal(dvector![2.0, 0.3])).expect("positive");

@@ -12,6 +12,9 @@ use std::ops::{Index, Mul};
 /// Entries of a part that is kept in place: three rows of six velocities.
 const FEW: usize = 18;
 
+/// Velocities of a free body in space, which nearly all are.
+const SPATIAL: usize = 6;
+
 /// H of one contact, rows (n), (n, t₁) or (n, t₁, t₂), times all velocities of the mechanism.
 #[derive(Clone, Debug)]
 pub struct Rows {
@@ -116,8 +119,15 @@ impl Rows {
         assert_eq!((velocities.len(), velocity.len()), (self.columns, self.rows), "sizes fit");
         for BodyRows { first, width, entries } in self.parts() {
             let moved = &velocities[first..first + width];
-            for (u, row) in velocity.iter_mut().zip(entries.chunks_exact(width.max(1))) {
-                row.iter().zip(moved).for_each(|(h, v)| *u += h * v);
+            match moved.first_chunk::<SPATIAL>().filter(|_| width == SPATIAL) {
+                Some(moved) => {
+                    let rows = velocity.iter_mut().zip(entries.as_chunks::<SPATIAL>().0);
+                    rows.for_each(|(u, row)| row.iter().zip(moved).for_each(|(h, v)| *u += h * v));
+                }
+                None => {
+                    let rows = velocity.iter_mut().zip(entries.chunks_exact(width.max(1)));
+                    rows.for_each(|(u, row)| row.iter().zip(moved).for_each(|(h, v)| *u += h * v));
+                }
             }
         }
     }
@@ -163,7 +173,7 @@ impl Rows {
 
     /// The columns in which an entry is not zero, growing.
     pub fn touched(&self) -> impl Iterator<Item = usize> {
-        let any = |part: BodyRows, axis: usize| part.entries.iter().skip(axis).step_by(part.width).any(|entry| *entry != 0.0);
+        let any = |part: BodyRows, axis: usize| (0..self.rows).any(|row| part.entries[row * part.width + axis] != 0.0);
         self.parts().flat_map(move |part| (0..part.width).filter(move |axis| any(part, *axis)).map(move |axis| part.first + axis))
     }
 }

@@ -5,13 +5,13 @@
 //! ```
 //! Contacts that meet no other are put together: each of them is answered alone by any method that goes from contact to contact.
 
-use super::Operator;
+use super::{Lists, Operator};
 
 /// A partition of the contacts.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Islands {
     /// The contacts of each, growing.
-    pub members: Vec<Vec<usize>>,
+    pub members: Lists,
     /// Of every contact its place within its island.
     place: Vec<usize>,
     /// Of every contact the first one of its island, itself where it meets no other.
@@ -21,6 +21,17 @@ pub(crate) struct Islands {
 }
 
 impl Islands {
+    /// Those of contacts that were found to be one island, or to meet no other.
+    pub fn found(contacts: usize, are_lone: bool) -> Self {
+        let (mut members, all) = (Lists::default(), (0..contacts).collect::<Vec<usize>>());
+        let first = if are_lone { all.clone() } else { vec![0; contacts] };
+        if contacts > 0 {
+            all.iter().for_each(|k| members.push(*k));
+            members.end();
+        }
+        Islands { members, place: all, first, last_is_of_lone: are_lone && contacts > 0 }
+    }
+
     /// The place of contact k among these, an island, or one contact that meets no other.
     pub fn place_among(&self, members: &[usize], k: usize) -> usize {
         if members.len() == 1 { 0 } else { self.place[k] }
@@ -68,29 +79,21 @@ impl Parts {
 
     fn islands(self) -> Islands {
         let (n, mut root) = (self.root.len(), self.root);
-        let (mut size, mut alone) = (vec![0; n], Vec::new());
+        let mut size = vec![0; n];
         for k in 0..n {
             size[find(&mut root, k)] += 1;
         }
-        let (mut members, mut island, mut place) = (Vec::<Vec<usize>>::new(), vec![usize::MAX; n], vec![0; n]);
-        for k in 0..n {
-            let first = root[k];
-            let own = if size[first] == 1 {
-                &mut alone
-            } else {
-                if island[first] == usize::MAX {
-                    island[first] = members.len();
-                    members.push(Vec::with_capacity(size[first]));
-                }
-                &mut members[island[first]]
-            };
-            place[k] = own.len();
-            own.push(k);
+        // islands are numbered as their first contacts follow each other, and those alone are the last one
+        let (mut island, mut islands) = (vec![usize::MAX; n], 0);
+        for k in (0..n).filter(|k| root[*k] == *k && size[*k] > 1) {
+            island[k] = islands;
+            islands += 1;
         }
-        let last_is_of_lone = !alone.is_empty();
-        if last_is_of_lone {
-            members.push(alone);
-        }
+        let last_is_of_lone = size.contains(&1);
+        let (mut members, mut place) = (Lists::default(), vec![0; n]);
+        let of = |k: usize| island[root[k]].min(islands);
+        members.collect(islands + usize::from(last_is_of_lone), |show| (0..n).for_each(|k| show(of(k), k)));
+        members.iter().for_each(|own| own.iter().enumerate().for_each(|(at, k)| place[*k] = at));
         Islands { members, place, first: root, last_is_of_lone }
     }
 }
@@ -110,7 +113,7 @@ fn find(root: &mut [usize], k: usize) -> usize {
 mod tests {
     use super::super::BlockSparse;
     use super::*;
-    use nalgebra::dmatrix;
+    use nalgebra::{DMatrix, dmatrix};
 
     #[test]
     fn contacts_are_together_exactly_if_a_chain_of_blocks_joins_them() {
@@ -121,11 +124,17 @@ mod tests {
         let blocks = BlockSparse::new(1, 7, blocks).unwrap();
         for w in [Operator::from(blocks.to_dense()), blocks.into()] {
             let islands = Islands::of(&w, 7);
-            assert_eq!(islands.members, [vec![0, 2, 4], vec![3, 6], vec![1, 5]]);
+            assert_eq!(islands.members.iter().collect::<Vec<_>>(), [&[0, 2, 4][..], &[3, 6], &[1, 5]]);
             assert_eq!(islands.place, [0, 0, 1, 0, 2, 1, 1]);
             assert_eq!((islands.first, islands.last_is_of_lone), (vec![0, 1, 0, 3, 0, 5, 3], true));
         }
+        let chain = Operator::from(DMatrix::from_element(3, 3, 1.0));
+        for (w, are_lone) in [(chain, false), (DMatrix::identity(3, 3).into(), true)] {
+            let (known, found) = (Islands::found(3, are_lone), Islands::of(&w, 3));
+            assert_eq!((&known.members, &known.place, &known.first), (&found.members, &found.place, &found.first));
+            assert_eq!(known.last_is_of_lone, found.last_is_of_lone);
+        }
         let none = Islands::of(&BlockSparse::new(1, 0, Vec::new()).unwrap().into(), 0);
-        assert!(none.members.is_empty() && !none.last_is_of_lone);
+        assert!(none.members.len() == 0 && !none.last_is_of_lone);
     }
 }

@@ -12,6 +12,7 @@ mod blocks;
 mod contact_operator;
 mod dense;
 mod islands;
+mod lists;
 mod mass_block;
 mod matrix_free;
 mod of_mechanism;
@@ -19,18 +20,20 @@ pub mod passes;
 mod sparse;
 mod sparse_dynamics;
 mod velocity_factor;
+mod velocity_recovery;
 
 pub use block_rows::BlockRows;
 pub use blocks::BlockSparse;
 pub use contact_operator::ContactOperator;
 pub(crate) use islands::Islands;
+pub(crate) use lists::Lists;
 pub use matrix_free::MatrixFree;
 pub use of_mechanism::of_mechanism;
 pub use sparse::Sparse;
 pub use sparse_dynamics::SparseDynamics;
 pub(crate) use velocity_factor::VelocityFactor;
 #[cfg(test)]
-pub(crate) use velocity_factor::tests::wall;
+pub(crate) use velocity_recovery::tests::wall;
 
 /// W, however it is stored.
 #[derive(Clone, Debug)]

@@ -5,7 +5,7 @@
 //! ```
 //! It costs as much as there are pairs of contacts that meet.
 
-use super::{BlockSparse, Operator};
+use super::{BlockSparse, Lists, Operator};
 use crate::contact::delassus::delassus_factored;
 use crate::contact::{Inertia, Jacobian, Rows};
 use crate::memory;
@@ -57,7 +57,7 @@ pub(super) fn body_width(jacobian: &Jacobian) -> Option<usize> {
 fn blocks(inertia: &Inertia, jacobian: &Jacobian, width: usize, meeting: &Meeting) -> Result<BlockSparse> {
     let (d, n) = (jacobian.rows_per_contact(), jacobian.contacts().len());
     memory::require("the Delassus blocks of this step", (meeting.pairs() as u128).saturating_mul((8 * d * d + 16) as u128))?;
-    let mut halves: Vec<Half> = Vec::with_capacity(meeting.members.len());
+    let mut halves: Vec<Half> = Vec::with_capacity(meeting.members.total());
     let mut starts = Vec::with_capacity(n + 1);
     for contact in jacobian.contacts() {
         starts.push(halves.len());
@@ -80,10 +80,10 @@ fn blocks(inertia: &Inertia, jacobian: &Jacobian, width: usize, meeting: &Meetin
     starts.push(halves.len());
     let own = |k: usize| &halves[starts[k]..starts[k + 1]];
     let mut made = BlockSparse::with_capacity(d, n, meeting.pairs());
-    let mut met = Vec::new();
-    let mut block = [0.0; 9];
+    let (mut met, mut block) = (Vec::with_capacity(meeting.most), [0.0; 9]);
     for k in 0..n {
-        meeting.of(own(k).iter().map(|half| half.body), &mut met);
+        met.clear();
+        meeting.of(own(k).iter().map(|half| half.body), |j| met.push(j));
         made.begin(k);
         for &j in &met {
             if j < k {
@@ -132,37 +132,31 @@ fn transpose(block: &mut [f64; 9], d: usize) {
     }
 }
 
-/// The contacts of every body, one body after the other.
+/// The contacts of every body.
 struct Meeting {
-    starts: Vec<usize>,
-    members: Vec<usize>,
+    members: Lists,
     pairs: usize,
+    /// Most contacts that one contact meets.
+    most: usize,
 }
 
 impl Meeting {
     fn new(jacobian: &Jacobian, width: usize) -> Self {
         let bodies = |contact: &Rows| contact.parts().map(move |part| part.first / width).collect::<BodiesOf>();
-        let mut starts = vec![0; jacobian.ncols() / width + 1];
-        let touched: Vec<BodiesOf> = jacobian.contacts().iter().map(bodies).collect();
-        touched.iter().flat_map(BodiesOf::iter).for_each(|body| starts[body + 1] += 1);
-        (1..starts.len()).for_each(|body| starts[body] += starts[body - 1]);
-        let mut next = starts.clone();
-        let mut members = vec![0; *starts.last().expect("one more than bodies")];
-        for (k, touched) in touched.iter().enumerate() {
-            for body in touched.iter() {
-                members[next[body]] = k;
-                next[body] += 1;
+        let mut members = Lists::default();
+        members.collect(jacobian.ncols() / width, |show| {
+            for (k, contact) in jacobian.contacts().iter().enumerate() {
+                bodies(contact).iter().for_each(|body| show(body, k));
             }
+        });
+        let mut meeting = Meeting { members, pairs: 0, most: 0 };
+        for contact in jacobian.contacts() {
+            let mut met = 0;
+            meeting.of(bodies(contact).iter(), |_| met += 1);
+            meeting.pairs += met;
+            meeting.most = meeting.most.max(met);
         }
-        let mut meeting = Meeting { starts, members, pairs: 0 };
-        let mut met = Vec::new();
-        meeting.pairs = touched.iter().map(|touched| meeting.count(touched, &mut met)).sum();
         meeting
-    }
-
-    fn count(&self, touched: &BodiesOf, met: &mut Vec<usize>) -> usize {
-        self.of(touched.iter(), met);
-        met.len()
     }
 
     /// How many blocks W has.
@@ -170,30 +164,24 @@ impl Meeting {
         self.pairs
     }
 
-    fn at(&self, body: usize) -> &[usize] {
-        &self.members[self.starts[body]..self.starts[body + 1]]
-    }
-
-    /// The contacts that touch one of at most two bodies, growing, each once.
-    fn of(&self, mut bodies: impl Iterator<Item = usize>, met: &mut Vec<usize>) {
-        met.clear();
-        let mut next = || bodies.next().map_or(&[][..], |body| self.at(body));
+    /// Shows the contacts that touch one of at most two bodies, growing, each once.
+    fn of(&self, mut bodies: impl Iterator<Item = usize>, mut show: impl FnMut(usize)) {
+        let mut next = || bodies.next().map_or(&[][..], |body| &self.members[body]);
         let (mut one, mut other) = (next(), next());
         while let (Some(a), Some(b)) = (one.first(), other.first()) {
-            met.push(*a.min(b));
+            show(*a.min(b));
             (one, other) = (&one[usize::from(a <= b)..], &other[usize::from(b <= a)..]);
         }
-        met.extend_from_slice(one);
-        met.extend_from_slice(other);
+        one.iter().chain(other).for_each(|k| show(*k));
     }
 }
 
 /// The one or two bodies of a contact.
-#[derive(Default)]
+#[derive(Clone, Copy, Default)]
 struct BodiesOf([Option<usize>; 2]);
 
 impl BodiesOf {
-    fn iter(&self) -> impl Iterator<Item = usize> {
+    fn iter(self) -> impl Iterator<Item = usize> {
         self.0.into_iter().flatten()
     }
 }

@@ -20,8 +20,8 @@ mod solution;
 pub mod stewart_trinkle;
 
 pub use carried::carried;
-pub(crate) use contact_problem::island_rows;
 pub use contact_problem::{Compliance, ContactProblem, ContactProblemBuilder, Coordinates, Dynamics};
+pub(crate) use contact_problem::{Weights, island_rows};
 pub(crate) use jointed::ByRows;
 pub use jointed::{ConstraintKind, JointedProblem};
 #[cfg(feature = "files")]

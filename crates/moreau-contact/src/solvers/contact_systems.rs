@@ -8,33 +8,47 @@ use crate::operator::{BlockSparse, VelocityFactor};
 use crate::problem::ContactProblem;
 use nalgebra::DVector;
 
-/// How systems with one W are solved.
-#[derive(Debug)]
+/// How systems with one W are solved; the memory serves for another W, too.
+#[derive(Debug, Default)]
 pub(super) struct ContactSystems {
-    velocities: Option<VelocityElimination>,
+    velocities: VelocityElimination,
+    /// Whether elimination in velocities is for this W.
+    has_velocities: bool,
     contacts: BlockElimination,
-    /// The last J, where it is factored in velocities.
-    last: Option<(Vec<Slopes>, bool)>,
+    /// The last J, where it is factored in velocities, and whether it is symmetric.
+    last: (Vec<Slopes>, bool),
+    /// Whether the last J is factored in velocities.
+    is_in_velocities: bool,
 }
 
 impl ContactSystems {
     /// Of this problem, W by blocks.
     pub(super) fn new(problem: &ContactProblem, w: &BlockSparse) -> Self {
-        let rows = w.rows_per_contact();
-        let velocities = match problem.delassus().blocks() {
-            Some(_) => problem.velocity_factor().map(|factor| VelocityElimination::new(factor, rows)),
-            None => VelocityFactor::recover(w).filter(VelocityFactor::pays).map(|factor| VelocityElimination::new(&factor, rows)),
-        };
-        ContactSystems { velocities, contacts: BlockElimination::default(), last: None }
+        let mut systems = ContactSystems::default();
+        systems.prepare(problem, w);
+        systems
+    }
+
+    /// Those of another problem in the same memory.
+    pub(super) fn prepare(&mut self, problem: &ContactProblem, w: &BlockSparse) {
+        self.has_velocities = match problem.delassus().blocks() {
+            Some(_) => problem.velocity_factor().map(|factor| self.velocities.prepare(factor)),
+            None => VelocityFactor::recover(w).filter(VelocityFactor::pays).map(|factor| self.velocities.prepare(&factor)),
+        }
+        .is_some();
+        self.contacts.forget();
+        self.is_in_velocities = false;
     }
 
     /// False where what should be eliminated is singular. A J that is symmetric must be definite.
     pub(super) fn factor(&mut self, w: &BlockSparse, slopes: &[Slopes], is_symmetric: bool) -> bool {
-        if self.velocities.as_mut().is_some_and(|velocities| velocities.factor(slopes, is_symmetric)) {
-            self.last = Some((slopes.to_vec(), is_symmetric));
+        self.is_in_velocities = self.has_velocities && self.velocities.factor(slopes, is_symmetric);
+        if self.is_in_velocities {
+            self.last.0.clear();
+            self.last.0.extend_from_slice(slopes);
+            self.last.1 = is_symmetric;
             return true;
         }
-        self.last = None;
         self.contacts.factor(w, slopes, is_symmetric)
     }
 
@@ -43,14 +57,15 @@ impl ContactSystems {
     /// # Panics
     /// If none was, or b has another size.
     pub(super) fn solve(&mut self, w: &BlockSparse, right_side: &DVector<f64>) -> Option<DVector<f64>> {
-        if let (Some((slopes, is_symmetric)), Some(velocities)) = (&self.last, &mut self.velocities) {
-            if let Some(found) = velocities.solve(w, right_side) {
+        if self.is_in_velocities {
+            if let Some(found) = self.velocities.solve(w, right_side) {
                 return Some(found);
             }
+            let (slopes, is_symmetric) = &self.last;
             if !self.contacts.factor(w, slopes, *is_symmetric) {
                 return None;
             }
-            self.last = None;
+            self.is_in_velocities = false;
         }
         Some(self.contacts.solve(w, right_side))
     }

@@ -9,98 +9,186 @@
 //! # Source
 //! Davis, *Direct methods for sparse linear systems*, SIAM 2006, chapters 4, 6 and 7.
 
+use crate::operator::Lists;
 use crate::tolerance::fronts::{NARROW, VAIN};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 /// One front.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Node {
-    /// The groups of its rows: pivots first, in the order of elimination.
-    pub groups: Vec<usize>,
-    /// How many of the groups are pivots.
+    /// How many of its groups are pivots.
     pub pivot_groups: usize,
     /// How many rows are pivots.
     pub pivots: usize,
     /// How many rows there are.
     pub size: usize,
-    pub children: Vec<usize>,
-    /// Where the rows after the pivots stand in the parent's front.
-    pub into_parent: Vec<usize>,
     /// Where its columns begin in the stored factor.
     pub offset: usize,
 }
 
-/// The fronts, children before parents.
-#[derive(Clone, Debug)]
+/// The fronts, children before parents; their memory is used again for another matrix.
+#[derive(Clone, Debug, Default)]
 pub(super) struct Tree {
     pub nodes: Vec<Node>,
+    /// Of every node the groups of its rows: pivots first, in the order of elimination.
+    groups: Lists,
+    children: Lists,
+    /// Of every node where the rows after the pivots stand in the parent's front; the roots have none.
+    into_parent: Lists,
     /// The first row of every group in the matrix, and the number of rows.
     pub starts: Vec<usize>,
     /// The node that eliminates each group.
     pub node_of: Vec<usize>,
     /// Entries of the stored factor.
     pub storage: usize,
+    order: Order,
+}
+
+/// The order of elimination, and what it is found with.
+#[derive(Clone, Debug, Default)]
+struct Order {
+    /// The matrix it belongs to: rows of the groups, and the groups that each meets.
+    of: (Vec<usize>, Lists),
+    /// Whether the tree is that of this matrix.
+    is_planned: bool,
+    order: Vec<usize>,
+    /// By group, the groups that it meets when it is eliminated, growing in number.
+    later: Vec<Vec<usize>>,
+    /// Of every group its place in the order.
+    place: Vec<usize>,
+    /// The pivots of every group's node, none where another node took it in.
+    pivots: Vec<Vec<usize>>,
+    /// The children of every node, in the order of elimination.
+    children: Vec<Vec<usize>>,
+    met: Vec<Vec<usize>>,
+    degrees: Vec<usize>,
+    waiting: BinaryHeap<Reverse<(usize, usize)>>,
+    done: Vec<bool>,
+    zeros: Vec<usize>,
+    /// Of every group the number of its node.
+    number: Vec<usize>,
+    /// Lists that are being made.
+    merged: Vec<usize>,
+    taken: Vec<usize>,
+    open: Vec<(usize, usize)>,
 }
 
 impl Tree {
-    /// Of groups with so many rows each, and the other groups that each meets, growing, in both directions.
-    pub(super) fn new(rows: &[usize], neighbours: Vec<Vec<usize>>) -> Self {
-        let Ordered { order, later } = Ordered::new(rows, neighbours);
-        let (mut pivots, children) = amalgamated(rows, &order, &later);
-        let mut starts = vec![0];
-        rows.iter().for_each(|count| starts.push(starts[starts.len() - 1] + count));
-        let mut tree = Tree { nodes: Vec::new(), starts, node_of: vec![0; rows.len()], storage: 0 };
-        let mut place = vec![0; rows.len()];
-        let (mut number, mut next) = (vec![0; rows.len()], 0);
-        for k in postorder(&order, &later, &children) {
-            number[k] = tree.nodes.len();
-            let groups = std::mem::take(&mut pivots[k]);
-            for &group in &groups {
-                (place[group], tree.node_of[group]) = (next, number[k]);
-                next += 1;
+    /// The tree of groups with so many rows each, and the other groups that each meets, growing, in both directions. Where they are those
+    /// of the last matrix it stays what it is.
+    pub(super) fn plan(&mut self, rows: &[usize], neighbours: &Lists) {
+        if self.order.is_planned && self.order.is_of(rows, neighbours) {
+            return;
+        }
+        self.order.find(rows, neighbours);
+        self.order.amalgamate(rows);
+        self.begin(rows);
+        let Tree { nodes, groups, children, node_of, storage, order, .. } = self;
+        let (mut open, mut next) = (std::mem::take(&mut order.open), 0);
+        order.number.clear();
+        order.number.resize(rows.len(), 0);
+        for at in 0..rows.len() {
+            let root = order.order[at];
+            if !order.later[root].is_empty() {
+                continue;
             }
-            let wide = width(rows, &groups);
-            let children = children[k].iter().map(|child| number[*child]).collect();
-            let (pivot_groups, size, offset) = (groups.len(), wide + width(rows, &later[k]), tree.storage);
-            tree.storage += wide * size;
-            let groups = groups.into_iter().chain(later[k].iter().copied()).collect();
-            tree.nodes.push(Node { groups, pivot_groups, pivots: wide, size, children, into_parent: Vec::new(), offset });
-        }
-        for node in &mut tree.nodes {
-            node.groups[node.pivot_groups..].sort_unstable_by_key(|group| place[*group]);
-        }
-        tree.map_children(rows);
-        tree
-    }
-
-    /// Of few groups, which are not worth an order: all in one front.
-    pub(super) fn of_one_front(rows: &[usize]) -> Self {
-        let mut starts = vec![0];
-        rows.iter().for_each(|count| starts.push(starts[starts.len() - 1] + count));
-        let (count, size) = (rows.len(), starts[rows.len()]);
-        let groups = (0..count).collect();
-        let node = Node { groups, pivot_groups: count, pivots: size, size, children: Vec::new(), into_parent: Vec::new(), offset: 0 };
-        Tree { nodes: vec![node], starts, node_of: vec![0; count], storage: size * size }
-    }
-
-    fn map_children(&mut self, rows: &[usize]) {
-        let mut local = vec![0; rows.len()];
-        for id in 0..self.nodes.len() {
-            self.place_rows(id, &mut local);
-            for child in self.nodes[id].children.clone() {
-                let node = &self.nodes[child];
-                let below = node.groups[node.pivot_groups..].iter();
-                let map = below.flat_map(|&group| local[group]..local[group] + rows[group]).collect();
-                self.nodes[child].into_parent = map;
+            open.push((root, 0));
+            while let Some((k, child)) = open.pop() {
+                if let Some(&below) = order.children[k].get(child) {
+                    open.extend([(k, child + 1), (below, 0)]);
+                    continue;
+                }
+                order.number[k] = nodes.len();
+                let (pivots, later) = (&order.pivots[k], &order.later[k]);
+                for &group in pivots {
+                    (order.place[group], node_of[group]) = (next, nodes.len());
+                    next += 1;
+                    groups.push(group);
+                }
+                let (wide, size) = (width(rows, pivots), width(rows, pivots) + width(rows, later));
+                nodes.push(Node { pivot_groups: pivots.len(), pivots: wide, size, offset: *storage });
+                *storage += wide * size;
+                later.iter().for_each(|group| groups.push(*group));
+                groups.end();
+                order.children[k].iter().for_each(|child| children.push(order.number[*child]));
+                children.end();
             }
         }
+        (order.open, order.is_planned) = (open, true);
+        for (id, node) in nodes.iter().enumerate() {
+            groups.list_mut(id)[node.pivot_groups..].sort_unstable_by_key(|group| order.place[*group]);
+        }
+        self.map_children();
+    }
+
+    /// The tree of few groups, which are not worth an order: all in one front.
+    pub(super) fn plan_one_front(&mut self, rows: &[usize]) {
+        self.order.is_planned = false;
+        self.begin(rows);
+        let (count, size) = (rows.len(), self.starts[rows.len()]);
+        (0..count).for_each(|group| self.groups.push(group));
+        [&mut self.groups, &mut self.children, &mut self.into_parent].into_iter().for_each(Lists::end);
+        self.nodes.push(Node { pivot_groups: count, pivots: size, size, offset: 0 });
+        self.storage = size * size;
+    }
+
+    /// No front yet, of groups with so many rows each.
+    fn begin(&mut self, rows: &[usize]) {
+        self.nodes.clear();
+        [&mut self.groups, &mut self.children, &mut self.into_parent].into_iter().for_each(Lists::clear);
+        self.starts.clear();
+        self.starts.push(0);
+        rows.iter().for_each(|count| self.starts.push(self.starts[self.starts.len() - 1] + count));
+        self.node_of.clear();
+        self.node_of.resize(rows.len(), 0);
+        self.storage = 0;
+    }
+
+    /// The groups of a front.
+    pub(super) fn groups(&self, node: usize) -> &[usize] {
+        &self.groups[node]
+    }
+
+    /// The nodes whose rest is added to this one's front.
+    pub(super) fn children(&self, node: usize) -> &[usize] {
+        &self.children[node]
+    }
+
+    /// Where the rows after the pivots of this node stand in its parent's front.
+    pub(super) fn rows_in_parent(&self, node: usize) -> &[usize] {
+        &self.into_parent[node]
+    }
+
+    fn map_children(&mut self) {
+        // of every node its parent, and of every group the row in the front of the parent that was looked at last
+        let (mut parents, mut local) = (std::mem::take(&mut self.order.taken), std::mem::take(&mut self.order.merged));
+        parents.clear();
+        parents.resize(self.nodes.len(), usize::MAX);
+        self.children.iter().enumerate().for_each(|(id, children)| children.iter().for_each(|child| parents[*child] = id));
+        local.clear();
+        local.resize(self.node_of.len(), 0);
+        let mut placed = usize::MAX;
+        for (id, &parent) in parents.iter().enumerate() {
+            if parent != usize::MAX {
+                if parent != placed {
+                    self.place_rows(parent, &mut local);
+                    placed = parent;
+                }
+                for &group in &self.groups[id][self.nodes[id].pivot_groups..] {
+                    let rows = self.starts[group + 1] - self.starts[group];
+                    (local[group]..local[group] + rows).for_each(|row| self.into_parent.push(row));
+                }
+            }
+            self.into_parent.end();
+        }
+        (self.order.taken, self.order.merged) = (parents, local);
     }
 
     /// Writes down where each group of a front has its first row.
     pub(super) fn place_rows(&self, node: usize, local: &mut [usize]) {
         let mut at = 0;
-        for &group in &self.nodes[node].groups {
+        for &group in &self.groups[node] {
             local[group] = at;
             at += self.starts[group + 1] - self.starts[group];
         }
@@ -111,38 +199,92 @@ fn width(rows: &[usize], groups: &[usize]) -> usize {
     groups.iter().map(|group| rows[*group]).sum()
 }
 
-/// An order of elimination with the groups that each meets when it is eliminated.
-struct Ordered {
-    order: Vec<usize>,
-    /// By group, growing in number.
-    later: Vec<Vec<usize>>,
+/// As many lists, all of them empty.
+fn emptied(lists: &mut Vec<Vec<usize>>, count: usize) {
+    lists.iter_mut().for_each(Vec::clear);
+    if lists.len() < count {
+        lists.resize(count, Vec::new());
+    }
 }
 
-impl Ordered {
+impl Order {
+    fn is_of(&self, rows: &[usize], neighbours: &Lists) -> bool {
+        self.of.0 == rows && self.of.1 == *neighbours
+    }
+
     /// Fewest rows first, the first of several.
-    fn new(rows: &[usize], mut met: Vec<Vec<usize>>) -> Self {
-        let degree = |list: &[usize]| width(rows, list);
-        let (mut order, mut done) = (Vec::with_capacity(rows.len()), vec![false; rows.len()]);
-        let mut degrees: Vec<usize> = met.iter().map(|list| degree(list)).collect();
-        let mut waiting: BinaryHeap<_> = degrees.iter().enumerate().map(|(k, degree)| Reverse((*degree, k))).collect();
-        let mut later = vec![Vec::new(); rows.len()];
-        let mut merged = Vec::new();
+    fn find(&mut self, rows: &[usize], neighbours: &Lists) {
+        self.of.0.clear();
+        self.of.0.extend_from_slice(rows);
+        self.of.1.copy_from(neighbours);
+        let Order { order, later, met, degrees, waiting, done, merged, .. } = self;
+        emptied(met, rows.len());
+        emptied(later, rows.len());
+        met.iter_mut().zip(neighbours.iter()).for_each(|(met, list)| met.extend_from_slice(list));
+        order.clear();
+        done.clear();
+        done.resize(rows.len(), false);
+        degrees.clear();
+        degrees.extend(neighbours.iter().map(|list| width(rows, list)));
+        waiting.clear();
+        waiting.extend(degrees.iter().enumerate().map(|(k, degree)| Reverse((*degree, k))));
         while let Some(Reverse((degree_then, k))) = waiting.pop() {
             if done[k] || degree_then != degrees[k] {
                 continue;
             }
             done[k] = true;
             order.push(k);
-            let list = std::mem::take(&mut met[k]);
-            for &j in &list {
-                merge(&met[j], &list, [j, k], &mut merged);
-                std::mem::swap(&mut met[j], &mut merged);
-                degrees[j] = degree(&met[j]);
+            std::mem::swap(&mut later[k], &mut met[k]);
+            let list = &later[k];
+            for &j in list {
+                merge(&met[j], list, [j, k], merged);
+                std::mem::swap(&mut met[j], merged);
+                degrees[j] = width(rows, &met[j]);
                 waiting.push(Reverse((degrees[j], j)));
             }
-            later[k] = list;
         }
-        Ordered { order, later }
+    }
+
+    /// Puts groups together whose fronts are nearly the same.
+    fn amalgamate(&mut self, rows: &[usize]) {
+        let Order { order, later, place, pivots, children, zeros, merged: kept, taken, .. } = self;
+        place.clear();
+        place.resize(rows.len(), 0);
+        order.iter().enumerate().for_each(|(at, k)| place[*k] = at);
+        emptied(children, rows.len());
+        for &k in order.iter() {
+            if let Some(parent) = later[k].iter().copied().min_by_key(|j| place[*j]) {
+                children[parent].push(k);
+            }
+        }
+        emptied(pivots, rows.len());
+        pivots.iter_mut().take(rows.len()).enumerate().for_each(|(k, own)| own.push(k));
+        zeros.clear();
+        zeros.resize(rows.len(), 0);
+        for &parent in order.iter() {
+            let below = width(rows, &later[parent]);
+            kept.clear();
+            std::mem::swap(taken, &mut children[parent]);
+            taken.sort_unstable_by_key(|child| (Reverse(width(rows, &later[*child])), place[*child]));
+            for &child in taken.iter() {
+                let (own, wide) = (width(rows, &pivots[child]), width(rows, &pivots[parent]));
+                // the child's columns grow to the front of the parent
+                let vain = zeros[child] + zeros[parent] + own * (wide + below - width(rows, &later[child]));
+                let stored = (own + wide) * (own + wide + below);
+                if vain * VAIN <= stored || (own + wide <= NARROW.1 && vain * NARROW.0 <= stored) {
+                    let mut joined = std::mem::take(&mut pivots[child]);
+                    joined.append(&mut pivots[parent]);
+                    pivots[child] = std::mem::replace(&mut pivots[parent], joined);
+                    zeros[parent] = vain;
+                    kept.append(&mut children[child]);
+                } else {
+                    kept.push(child);
+                }
+            }
+            std::mem::swap(taken, &mut children[parent]);
+            children[parent].clear();
+            children[parent].extend_from_slice(kept);
+        }
     }
 }
 
@@ -165,82 +307,48 @@ fn merge(one: &[usize], other: &[usize], without: [usize; 2], merged: &mut Vec<u
     }
 }
 
-/// The pivots of every group's node, none where another node took it in, and the children of every node, in the order of elimination.
-fn amalgamated(rows: &[usize], order: &[usize], later: &[Vec<usize>]) -> (Vec<Vec<usize>>, Vec<Vec<usize>>) {
-    let mut place = vec![0; rows.len()];
-    order.iter().enumerate().for_each(|(at, k)| place[*k] = at);
-    let mut children: Vec<Vec<usize>> = vec![Vec::new(); rows.len()];
-    for &k in order {
-        if let Some(parent) = later[k].iter().copied().min_by_key(|j| place[*j]) {
-            children[parent].push(k);
-        }
-    }
-    let mut pivots: Vec<Vec<usize>> = (0..rows.len()).map(|k| vec![k]).collect();
-    let mut zeros = vec![0; rows.len()];
-    for &parent in order {
-        let below = width(rows, &later[parent]);
-        let mut kept = Vec::new();
-        let mut list = std::mem::take(&mut children[parent]);
-        list.sort_by_key(|child| (Reverse(width(rows, &later[*child])), place[*child]));
-        for child in list {
-            let (own, wide) = (width(rows, &pivots[child]), width(rows, &pivots[parent]));
-            // the child's columns grow to the front of the parent
-            let vain = zeros[child] + zeros[parent] + own * (wide + below - width(rows, &later[child]));
-            let stored = (own + wide) * (own + wide + below);
-            if vain * VAIN <= stored || (own + wide <= NARROW.1 && vain * NARROW.0 <= stored) {
-                let mut joined = std::mem::take(&mut pivots[child]);
-                joined.append(&mut pivots[parent]);
-                (pivots[parent], zeros[parent]) = (joined, vain);
-                kept.append(&mut children[child]);
-            } else {
-                kept.push(child);
-            }
-        }
-        children[parent] = kept;
-    }
-    (pivots, children)
-}
-
-/// The nodes that are left, children before parents.
-fn postorder(order: &[usize], later: &[Vec<usize>], children: &[Vec<usize>]) -> Vec<usize> {
-    let mut found = Vec::new();
-    for &root in order.iter().filter(|k| later[**k].is_empty()) {
-        let mut open = vec![(root, 0)];
-        while let Some((k, at)) = open.pop() {
-            match children[k].get(at) {
-                Some(&child) => open.extend([(k, at + 1), (child, 0)]),
-                None => found.push(k),
-            }
-        }
-    }
-    found
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn lists(neighbours: &[Vec<usize>]) -> Lists {
+        let mut lists = Lists::default();
+        for list in neighbours {
+            list.iter().for_each(|member| lists.push(*member));
+            lists.end();
+        }
+        lists
+    }
+
     fn tree(neighbours: &[Vec<usize>]) -> Tree {
-        Tree::new(&vec![3; neighbours.len()], neighbours.to_vec())
+        let mut tree = Tree::default();
+        tree.plan(&vec![3; neighbours.len()], &lists(neighbours));
+        tree
+    }
+
+    fn is_same(one: &Tree, other: &Tree) {
+        assert_eq!((&one.nodes, &one.starts, &one.node_of, one.storage), (&other.nodes, &other.starts, &other.node_of, other.storage));
+        assert_eq!([&one.groups, &one.children, &one.into_parent], [&other.groups, &other.children, &other.into_parent]);
     }
 
     /// Every group is a pivot once, children come first, and what a child leaves is in its parent's front.
     fn is_sound(tree: &Tree, neighbours: &[Vec<usize>]) {
         let mut seen = vec![0; neighbours.len()];
         for (id, node) in tree.nodes.iter().enumerate() {
-            let own = &node.groups[..node.pivot_groups];
+            let groups = tree.groups(id);
+            let own = &groups[..node.pivot_groups];
             own.iter().for_each(|group| seen[*group] += 1);
-            assert!(node.children.iter().all(|child| *child < id));
-            assert_eq!(node.size, 3 * node.groups.len());
+            assert!(tree.children(id).iter().all(|child| *child < id));
+            assert_eq!(node.size, 3 * groups.len());
             for group in own {
                 // what it meets is eliminated before, in this front or after it
-                assert!(neighbours[*group].iter().all(|other| tree.node_of[*other] < id || node.groups.contains(other)));
+                assert!(neighbours[*group].iter().all(|other| tree.node_of[*other] < id || groups.contains(other)));
             }
-            for child in &node.children {
-                let child = &tree.nodes[*child];
-                assert!(child.groups[child.pivot_groups..].iter().all(|group| node.groups.contains(group)));
-                assert_eq!(child.into_parent.len(), child.size - child.pivots);
-                assert!(child.into_parent.windows(2).all(|pair| pair[0] < pair[1]), "rows keep their order");
+            for &below in tree.children(id) {
+                let (child, rows) = (&tree.nodes[below], tree.rows_in_parent(below));
+                assert!(tree.groups(below)[child.pivot_groups..].iter().all(|group| groups.contains(group)));
+                assert_eq!(rows.len(), child.size - child.pivots);
+                assert!(rows.windows(2).all(|pair| pair[0] < pair[1]), "rows keep their order");
             }
         }
         assert!(seen.iter().all(|times| *times == 1));
@@ -259,8 +367,17 @@ mod tests {
                 (0..side * side).filter(near).collect()
             })
             .collect();
+        let mut kept = Tree::default();
         for neighbours in [chain, star, grid, vec![Vec::new(); 7], Vec::new()] {
             is_sound(&tree(&neighbours), &neighbours);
+            // memory that served for another matrix, or for one front, or for this very matrix, changes nothing
+            for _ in 0..2 {
+                kept.plan(&vec![3; neighbours.len()], &lists(&neighbours));
+                is_same(&kept, &tree(&neighbours));
+            }
+            kept.plan_one_front(&vec![3; neighbours.len()]);
+            kept.plan(&vec![3; neighbours.len()], &lists(&neighbours));
+            is_same(&kept, &tree(&neighbours));
         }
     }
 

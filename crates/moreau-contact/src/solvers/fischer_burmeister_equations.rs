@@ -23,7 +23,7 @@ pub(super) struct ConeEquations<'a> {
     operator: Cow<'a, BlockSparse>,
     systems: ContactSystems,
     /// ρ_n, ρ_t per contact \[kg\].
-    weights: Vec<[f64; 2]>,
+    weights: &'a [[f64; 2]],
 }
 
 impl<'a> ConeEquations<'a> {

@@ -135,7 +135,7 @@ impl<'a> Path<'a> {
         let size = if size > 0.0 { size } else { 1.0 };
         let mut impulse = DVector::zeros(problem.rows());
         let mut dual = Vec::with_capacity(problem.contacts());
-        for (k, [rho, _]) in Judge::weights(problem).into_iter().enumerate() {
+        for (k, [rho, _]) in Judge::weights(problem).iter().copied().enumerate() {
             let mu = super::cone_friction(problem, k);
             impulse[k * rows] = rho * size / if mu > 0.0 { mu.max(1.0) } else { 1.0 };
             dual.push(Vector3::new(size, 0.0, 0.0));

@@ -86,6 +86,7 @@ mod table;
 pub mod threads;
 mod velocity_elimination;
 pub mod watch;
+mod workspace;
 
 pub use accelerated_projected_gradient::{AcceleratedProjectedGradient, Momentum, largest_eigenvalue_bound, objective};
 pub use alternating_directions::AlternatingDirections;

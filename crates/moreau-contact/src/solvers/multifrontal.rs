@@ -11,7 +11,6 @@
 
 use super::elimination_tree::{Node, Tree};
 use super::front;
-use nalgebra::DVector;
 
 /// A front that is being assembled.
 pub(super) struct Front<'a> {
@@ -57,7 +56,7 @@ impl Factor {
         self.lower.resize(tree.storage, 0.0);
         self.upper.resize(if is_symmetric { 0 } else { tree.storage }, 0.0);
         self.exchanged.resize(if is_symmetric { 0 } else { tree.starts[tree.starts.len() - 1] }, 0);
-        work.updates.resize(tree.nodes.len(), Vec::new());
+        work.updates.resize_with(work.updates.len().max(tree.nodes.len()), Vec::new);
         work.local.resize(tree.node_of.len(), 0);
         let mut exchanges = 0;
         for (id, node) in tree.nodes.iter().enumerate() {
@@ -66,8 +65,8 @@ impl Factor {
             work.front.resize(size * size, 0.0);
             tree.place_rows(id, &mut work.local);
             assemble(id, &mut Front { entries: &mut work.front, size, local: &work.local });
-            for &child in &node.children {
-                add_child(&mut work.front, size, &tree.nodes[child], &work.updates[child], is_symmetric);
+            for &child in tree.children(id) {
+                add_child(&mut work.front, size, tree.rows_in_parent(child), &work.updates[child], is_symmetric);
             }
             let exchanged = if is_symmetric { &mut [] } else { &mut self.exchanged[exchanges..exchanges + node.pivots] };
             exchanges += node.pivots;
@@ -101,12 +100,12 @@ impl Factor {
     ///
     /// # Panics
     /// If x has another size than J.
-    pub(super) fn solve(&self, tree: &Tree, x: &mut DVector<f64>, work: &mut Work) {
+    pub(super) fn solve(&self, tree: &Tree, x: &mut [f64], work: &mut Work) {
         assert_eq!(x.len(), tree.starts[tree.starts.len() - 1], "the right side has one entry per row");
-        let (x, part) = (x.as_mut_slice(), &mut work.part);
+        let part = &mut work.part;
         let mut exchanges = 0;
-        for node in &tree.nodes {
-            gather(tree, node, x, part);
+        for (id, node) in tree.nodes.iter().enumerate() {
+            gather(tree, id, x, part);
             if !self.is_symmetric {
                 let rows = &self.exchanged[exchanges..exchanges + node.pivots];
                 rows.iter().enumerate().for_each(|(j, pivot)| part.swap(j, *pivot));
@@ -119,39 +118,38 @@ impl Factor {
                 let known = part[j];
                 part[j + 1..].iter_mut().zip(&column[j + 1..]).for_each(|(rest, l)| *rest -= l * known);
             }
-            scatter(tree, node, x, part);
+            scatter(tree, id, x, part);
         }
         let upper = if self.is_symmetric { &self.lower } else { &self.upper };
-        for node in tree.nodes.iter().rev() {
-            gather(tree, node, x, part);
+        for (id, node) in tree.nodes.iter().enumerate().rev() {
+            gather(tree, id, x, part);
             for j in (0..node.pivots).rev() {
                 let row = &upper[node.offset + j * node.size..node.offset + (j + 1) * node.size];
                 let known: f64 = row[j + 1..].iter().zip(&part[j + 1..]).map(|(u, x)| u * x).sum();
                 part[j] = (part[j] - known) / row[j];
             }
-            scatter(tree, node, x, part);
+            scatter(tree, id, x, part);
         }
     }
 }
 
 /// Adds what a child left over.
-fn add_child(front: &mut [f64], size: usize, child: &Node, left: &[f64], is_symmetric: bool) {
-    let rows = child.size - child.pivots;
-    for (j, column) in left.chunks_exact(rows.max(1)).enumerate() {
-        let target = &mut front[child.into_parent[j] * size..(child.into_parent[j] + 1) * size];
+fn add_child(front: &mut [f64], size: usize, into_parent: &[usize], left: &[f64], is_symmetric: bool) {
+    for (j, column) in left.chunks_exact(into_parent.len().max(1)).enumerate() {
+        let target = &mut front[into_parent[j] * size..(into_parent[j] + 1) * size];
         let from = if is_symmetric { j } else { 0 };
-        column[from..].iter().zip(&child.into_parent[from..]).for_each(|(entry, row)| target[*row] += entry);
+        column[from..].iter().zip(&into_parent[from..]).for_each(|(entry, row)| target[*row] += entry);
     }
 }
 
-fn gather(tree: &Tree, node: &Node, x: &[f64], part: &mut Vec<f64>) {
+fn gather(tree: &Tree, node: usize, x: &[f64], part: &mut Vec<f64>) {
     part.clear();
-    node.groups.iter().for_each(|&group| part.extend_from_slice(&x[tree.starts[group]..tree.starts[group + 1]]));
+    tree.groups(node).iter().for_each(|&group| part.extend_from_slice(&x[tree.starts[group]..tree.starts[group + 1]]));
 }
 
-fn scatter(tree: &Tree, node: &Node, x: &mut [f64], part: &[f64]) {
+fn scatter(tree: &Tree, node: usize, x: &mut [f64], part: &[f64]) {
     let mut at = 0;
-    for &group in &node.groups {
+    for &group in tree.groups(node) {
         let target = &mut x[tree.starts[group]..tree.starts[group + 1]];
         target.copy_from_slice(&part[at..at + target.len()]);
         at += target.len();

@@ -30,6 +30,7 @@ use super::elimination;
 use super::friction_equations::FrictionEquations;
 use super::friction_set::{FrictionSet, Piece};
 use super::stopping::Stopping;
+use super::workspace;
 use crate::certificate::Judge;
 use crate::problem::{ContactProblem, Coordinates, Law, Solution};
 use crate::tolerance::solvers as tolerance;
@@ -84,7 +85,12 @@ impl ContactSolver for NonsmoothNewton {
         if !NonsmoothNewton::fits(problem) {
             return Err(Error::refused(self.name(), "does not solve a compliance on edges, of which the impulse is not a function"));
         }
-        self.solve_with(problem, warm_start, Self::systems(problem).as_mut())
+        let mut memory = workspace::borrow(problem);
+        let systems = problem.delassus().blocks().map(|w| {
+            memory.systems.prepare(problem, w);
+            &mut memory.systems
+        });
+        self.solve_with(problem, warm_start, systems)
     }
 }
 
@@ -114,12 +120,12 @@ impl NonsmoothNewton {
         let mut equations = Equations::new(problem, self.equations, systems)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
         let start = super::start(problem, warm_start)?;
-        let mut best = (f64::INFINITY, start.clone());
+        let (mut best, mut law_velocity) = ((f64::INFINITY, start.clone()), DVector::zeros(start.len()));
         let mut steps = 0;
         for proximals in tolerance::NONSMOOTH_PROXIMALS.into_iter().take(self.starts) {
             let (mut impulse, mut least, mut mark, mut since) = (start.clone(), f64::INFINITY, f64::INFINITY, 0);
             for taken in 0..=self.steps {
-                let law_velocity = problem.law_velocity(&impulse);
+                problem.write_law_velocity(impulse.as_slice(), law_velocity.as_mut_slice());
                 let relative = stopping.relative(&impulse, &law_velocity);
                 since += 1;
                 least = least.min(relative);
@@ -127,7 +133,8 @@ impl NonsmoothNewton {
                     (mark, since) = (least, 0);
                 }
                 if relative < best.0 {
-                    best = (relative, impulse.clone());
+                    best.0 = relative;
+                    best.1.copy_from(&impulse);
                 }
                 let patience = if least <= tolerance::ACCEPTABLE { tolerance::NONSMOOTH_ENDED } else { tolerance::NONSMOOTH_STALLED };
                 if relative <= self.tolerance || since >= patience || taken == self.steps || super::watch::is_over() {
@@ -159,7 +166,7 @@ struct Equations<'a> {
     /// What solves with J where W is stored by blocks.
     systems: Option<&'a mut ContactSystems>,
     /// ρ_n, ρ_t per contact \[kg\].
-    weights: Vec<[f64; 2]>,
+    weights: &'a [[f64; 2]],
 }
 
 impl<'a> Equations<'a> {
@@ -176,12 +183,17 @@ impl<'a> Equations<'a> {
     fn step(&mut self, from: &DVector<f64>, law_velocity: &DVector<f64>, proximals: &[f64]) -> Option<DVector<f64>> {
         let mut best: Option<(f64, DVector<f64>)> = None;
         for &proximal in proximals {
-            let (residual, slopes) = self.linearise(from, law_velocity, proximal);
+            let (mut residual, slopes) = self.linearise(from, law_velocity, proximal);
             let enough = 0.5 * residual.norm();
-            let Some(direction) = self.direction(&slopes, &-residual).filter(|d| d.iter().all(|x| x.is_finite())) else { continue };
+            residual.neg_mut();
+            let Some(direction) = self.direction(&slopes, &residual).filter(|d| d.iter().all(|x| x.is_finite())) else { continue };
+            let mut moved = DVector::zeros(from.len());
             for halvings in 0..tolerance::NONSMOOTH_HALVINGS {
-                let tried = from + &direction * 0.5f64.powi(halvings);
-                let norm = self.residual(&tried, &self.problem.law_velocity(&tried)).norm();
+                let part = 0.5f64.powi(halvings);
+                let tried = from.zip_map(&direction, |from, direction| from + direction * part);
+                self.problem.write_law_velocity(tried.as_slice(), moved.as_mut_slice());
+                self.write_residual(&tried, &moved, &mut residual);
+                let norm = residual.norm();
                 if best.as_ref().is_none_or(|(least, _)| norm < *least) {
                     best = Some((norm, tried));
                 }
@@ -193,11 +205,9 @@ impl<'a> Equations<'a> {
         best.map(|(_, impulse)| impulse)
     }
 
-    /// F(r).
-    fn residual(&self, impulse: &DVector<f64>, law_velocity: &DVector<f64>) -> DVector<f64> {
-        let mut residual = DVector::zeros(self.problem.rows());
-        (0..self.problem.contacts()).for_each(|k| self.contact(k, [impulse, law_velocity], &mut residual, None));
-        residual
+    /// Overwrites `residual` with F(r).
+    fn write_residual(&self, impulse: &DVector<f64>, law_velocity: &DVector<f64>, residual: &mut DVector<f64>) {
+        (0..self.problem.contacts()).for_each(|k| self.contact(k, [impulse, law_velocity], residual, None));
     }
 
     /// F(r), and A_k and B_k of J(r) with η for every contact; y = A r + q is given.
@@ -362,7 +372,9 @@ mod tests {
             let shifted = |by: f64| {
                 let mut moved = impulse.clone();
                 moved[column] += by;
-                values_of.residual(&moved, &problem.law_velocity(&moved))
+                let mut residual = DVector::zeros(12);
+                values_of.write_residual(&moved, &problem.law_velocity(&moved), &mut residual);
+                residual
             };
             (jacobian.column(column) - (shifted(step) - shifted(-step)) / (2.0 * step)).amax()
         };

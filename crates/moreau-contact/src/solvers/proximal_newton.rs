@@ -71,7 +71,7 @@ impl ContactSolver for ProximalNewton {
         let mut best = (relative, centre.clone());
         let (mut alpha, mut steps, mut mark, mut since) = (self.softness, 0, f64::INFINITY, 0);
         while best.0 > self.tolerance && steps < self.steps && since <= tolerance::PROXIMAL_PATIENCE && !watch::is_over() {
-            soften_around(&mut softer, problem, &weights, alpha, &centre);
+            soften_around(&mut softer, problem, weights, alpha, &centre);
             let left = (tolerance::PART_LEFT * relative).min(tolerance::LARGEST_LEFT).max(tolerance::PART_LEFT * self.tolerance);
             let most = tolerance::STEPS_AROUND.min(self.steps - steps);
             let newton = NonsmoothNewton { steps: most, starts: 1, tolerance: left, ..Default::default() };
@@ -168,7 +168,7 @@ mod tests {
             let (solution, weights) = (solve(&problem, None), Judge::weights(&problem));
             let mut softer = problem.clone();
             let mut holds = |centre: &DVector<f64>| {
-                soften_around(&mut softer, &problem, &weights, 0.5, centre);
+                soften_around(&mut softer, &problem, weights, 0.5, centre);
                 residuals(&softer, &solution).unwrap().is_solution(CERTIFY)
             };
             assert!(holds(&solution.impulse), "{law:?}");

@@ -2,17 +2,16 @@
 
 use super::parts::copy;
 use super::watch;
-use crate::certificate::Judge;
-use crate::problem::{ContactProblem, Solution};
+use super::workspace::{self, Borrowed, Workspace};
+use crate::problem::ContactProblem;
 use crate::tolerance::solvers::{FRESH_ROUNDING, NEAR_SOLUTION, SAME_SIZE};
 use nalgebra::DVector;
 
 /// The largest relative residual over the contacts is at most `relative`; what is rounding counts as 0.
 pub(super) struct Stopping<'a> {
     problem: &'a ContactProblem,
-    judge: Judge,
+    memory: Borrowed,
     relative: f64,
-    answer: Solution,
     calls: usize,
     /// The largest impulse at which the rounding of y was computed last \[N·s\].
     sized: f64,
@@ -20,11 +19,9 @@ pub(super) struct Stopping<'a> {
 
 impl<'a> Stopping<'a> {
     pub(super) fn new(problem: &'a ContactProblem, relative: f64) -> Self {
-        let mut judge = Judge::default();
-        judge.prepare(problem);
-        let nothing = DVector::zeros(0);
-        let answer = Solution::new("", nothing.clone(), nothing, 0);
-        Stopping { problem, judge, relative, answer, calls: 0, sized: 0.0 }
+        let mut memory = workspace::borrow(problem);
+        memory.judge.prepare(problem);
+        Stopping { problem, memory, relative, calls: 0, sized: 0.0 }
     }
 
     /// Whether (r, y = u_free + shift + (W + R) r) is a solution up to the tolerance, or the caller ends the iteration.
@@ -43,7 +40,7 @@ impl<'a> Stopping<'a> {
     }
 
     fn evaluate(&mut self, impulse: &DVector<f64>, law_velocity: &DVector<f64>) -> f64 {
-        copy(impulse, &mut self.answer.impulse);
+        copy(impulse, &mut self.memory.answer.impulse);
         self.calls += 1;
         if self.calls % FRESH_ROUNDING != 1 {
             let measured = self.measure(law_velocity);
@@ -54,12 +51,13 @@ impl<'a> Stopping<'a> {
             }
         }
         self.sized = impulse.amax();
-        self.judge.set_floors(self.problem, impulse.as_slice());
+        self.memory.judge.set_floors(self.problem, impulse.as_slice());
         self.measure(law_velocity)
     }
 
     fn measure(&mut self, law_velocity: &DVector<f64>) -> f64 {
-        let measured = self.judge.measure(self.problem, &self.answer, law_velocity.as_slice());
+        let Workspace { judge, answer, .. } = &mut *self.memory;
+        let measured = judge.measure(self.problem, answer, law_velocity.as_slice());
         measured.ok().filter(|relative| !relative.is_nan()).unwrap_or(f64::INFINITY)
     }
 }

@@ -10,139 +10,142 @@
 use super::block_elimination::Slopes;
 use super::elimination_tree::Tree;
 use super::multifrontal::{Factor, Front, Work};
-use crate::operator::{BlockSparse, ContactOperator, VelocityFactor};
+use super::parts::copy;
+use crate::operator::{BlockSparse, ContactOperator, Lists, VelocityFactor};
 use crate::tolerance::velocities::{REFINED, REFINEMENTS, TRUSTED};
 use nalgebra::{DVector, Matrix3, Vector3};
 
-/// J, factored; the order of the groups and all memory are kept.
-#[derive(Debug)]
+/// J, factored; all memory is kept for another one, and the order of the groups for another one with the same Y.
+#[derive(Debug, Default)]
 pub(super) struct VelocityElimination {
-    rows_per_contact: usize,
+    y: VelocityFactor,
+    /// Of every group the others that it meets.
+    met: Lists,
     tree: Tree,
-    /// Of every contact its groups, and where its part of Y begins, row after row of three.
-    parts: Vec<Vec<(usize, usize)>>,
-    y: Vec<f64>,
     /// The contacts that each node adds.
-    contacts: Vec<Vec<usize>>,
+    contacts: Lists,
     /// A_k⁻¹, B_k and A_k.
     slopes: Vec<[Matrix3<f64>; 3]>,
     factor: Factor,
     work: Work,
+    /// v, and A_k⁻¹ b of every contact.
+    velocities: Vec<f64>,
+    pushed: Vec<Vector3<f64>>,
+    left: DVector<f64>,
+    rest: DVector<f64>,
+    tried: DVector<f64>,
 }
 
 impl VelocityElimination {
-    pub(super) fn new(factor: &VelocityFactor, rows_per_contact: usize) -> Self {
-        let mut met = vec![Vec::new(); factor.columns.len()];
-        let (mut y, mut parts) = (Vec::new(), Vec::with_capacity(factor.parts.len()));
-        for contact in &factor.parts {
-            for (group, _) in contact {
-                met[*group].extend(contact.iter().map(|(other, _)| *other).filter(|other| other != group));
+    /// Prepares for systems with the W of this factor.
+    pub(super) fn prepare(&mut self, factor: &VelocityFactor) {
+        let VelocityElimination { y, met, tree, contacts, .. } = self;
+        y.copy_from(factor);
+        met.collect(y.columns.len(), |show| {
+            for parts in (0..y.contacts()).map(|k| y.parts(k)) {
+                for (group, _) in parts {
+                    parts.iter().filter(|(other, _)| other != group).for_each(|(other, _)| show(*group, *other));
+                }
             }
-            let place = |(group, block): &(usize, nalgebra::DMatrix<f64>)| {
-                let at = y.len();
-                y.extend(
-                    (0..3)
-                        .flat_map(|i| (0..block.ncols()).map(move |j| (i, j)))
-                        .map(|(i, j)| if i < block.nrows() { block[(i, j)] } else { 0.0 }),
-                );
-                (*group, at)
-            };
-            parts.push(contact.iter().map(place).collect::<Vec<_>>());
-        }
-        for list in &mut met {
-            list.sort_unstable();
-            list.dedup();
-        }
-        let tree = Tree::new(&factor.columns, met);
-        let mut contacts = vec![Vec::new(); tree.nodes.len()];
-        for (k, groups) in parts.iter().enumerate() {
-            if let Some(node) = groups.iter().map(|(group, _)| tree.node_of[*group]).min() {
-                contacts[node].push(k);
+        });
+        met.sort_each();
+        tree.plan(&y.columns, met);
+        contacts.collect(tree.nodes.len(), |show| {
+            for k in 0..y.contacts() {
+                if let Some(node) = y.parts(k).iter().map(|(group, _)| tree.node_of[*group]).min() {
+                    show(node, k);
+                }
             }
-        }
-        let (factor, work) = Default::default();
-        VelocityElimination { rows_per_contact, tree, parts, y, contacts, slopes: Vec::new(), factor, work }
+        });
     }
 
     /// False where an A_k or the sum is singular. Where D is symmetric the sum must be definite.
     pub(super) fn factor(&mut self, slopes: &[Slopes], is_symmetric: bool) -> bool {
-        let d = self.rows_per_contact;
+        let d = self.y.rows_per_contact();
         self.slopes.clear();
         for Slopes { own, through, inverse } in slopes {
             let padded = Matrix3::from_fn(|i, j| if i < d && j < d { own[(i, j)] } else { f64::from(i == j) });
             let Some(inverse) = inverse.or_else(|| padded.try_inverse()) else { return false };
             self.slopes.push([inverse, *through, padded]);
         }
-        let VelocityElimination { tree, parts, y, contacts, slopes, factor, work, .. } = self;
+        let VelocityElimination { y, tree, contacts, slopes, factor, work, .. } = self;
         factor.compute(tree, is_symmetric, work, |node, front| {
             let groups = &tree.nodes[node];
             (0..groups.pivots).for_each(|i| front.entries[i * front.size + i] = 1.0);
             for &k in &contacts[node] {
                 let [inverse, through, _] = &slopes[k];
-                add_contact(tree, &parts[k], y, &(inverse * through), is_symmetric, front);
+                add_contact(tree, y.parts(k), &y.entries, &(inverse * through), is_symmetric, front);
             }
         })
     }
 
     /// The x with J x = b, of the last J that was factored and the W of which Y is a factor; none where too many digits are lost.
     pub(super) fn solve(&mut self, w: &BlockSparse, right_side: &DVector<f64>) -> Option<DVector<f64>> {
-        let mut best = self.once(right_side);
-        let mut left = right_side - self.apply(w, &best);
+        let [mut left, mut rest, mut tried] = [&mut self.left, &mut self.rest, &mut self.tried].map(std::mem::take);
+        let mut best = right_side.clone();
+        self.once(right_side, &mut best);
+        self.leave(w, &best, right_side, &mut left);
         for _ in 0..REFINEMENTS {
             if left.amax() <= REFINED * right_side.amax() {
                 break;
             }
-            let tried = &best + self.once(&left);
-            let rest = right_side - self.apply(w, &tried);
+            copy(&left, &mut tried);
+            self.once(&left, &mut tried);
+            tried += &best;
+            self.leave(w, &tried, right_side, &mut rest);
             if rest.amax().is_nan() || rest.amax() >= left.amax() {
                 break;
             }
-            (best, left) = (tried, rest);
+            std::mem::swap(&mut best, &mut tried);
+            std::mem::swap(&mut left, &mut rest);
         }
-        (left.amax() <= TRUSTED * right_side.amax()).then_some(best)
+        let is_trusted = left.amax() <= TRUSTED * right_side.amax();
+        (self.left, self.rest, self.tried) = (left, rest, tried);
+        is_trusted.then_some(best)
     }
 
-    /// J x.
-    fn apply(&self, w: &BlockSparse, x: &DVector<f64>) -> DVector<f64> {
-        let (d, mut found) = (self.rows_per_contact, DVector::zeros(x.len()));
-        w.add_product(x.as_slice(), found.as_mut_slice());
+    /// Overwrites `left` with b − J x.
+    fn leave(&self, w: &BlockSparse, x: &DVector<f64>, right_side: &DVector<f64>, left: &mut DVector<f64>) {
+        let d = self.y.rows_per_contact();
+        copy(x, left);
+        left.fill(0.0);
+        w.add_product(x.as_slice(), left.as_mut_slice());
         for (k, [_, through, own]) in self.slopes.iter().enumerate() {
             let padded = |of: &DVector<f64>| Vector3::from_fn(|i, _| if i < d { of[k * d + i] } else { 0.0 });
-            let row = through * padded(&found) + own * padded(x);
-            (0..d).for_each(|i| found[k * d + i] = row[i]);
+            let row = through * padded(left) + own * padded(x);
+            (0..d).for_each(|i| left[k * d + i] = right_side[k * d + i] - row[i]);
         }
-        found
     }
 
-    /// The x as the factor has it.
-    fn once(&mut self, right_side: &DVector<f64>) -> DVector<f64> {
-        let (d, tree) = (self.rows_per_contact, &self.tree);
-        let mut v = DVector::zeros(tree.starts[tree.starts.len() - 1]);
-        let mut pushed = Vec::with_capacity(self.slopes.len());
-        for (k, [inverse, ..]) in self.slopes.iter().enumerate() {
+    /// Overwrites x with the one that the factor has.
+    fn once(&mut self, right_side: &DVector<f64>, x: &mut DVector<f64>) {
+        let VelocityElimination { y: of, tree, slopes, factor, work, velocities: v, pushed, .. } = self;
+        let d = of.rows_per_contact();
+        v.clear();
+        v.resize(tree.starts[tree.starts.len() - 1], 0.0);
+        pushed.clear();
+        for (k, [inverse, ..]) in slopes.iter().enumerate() {
             let own = inverse * Vector3::from_fn(|i, _| if i < d { right_side[k * d + i] } else { 0.0 });
-            for &(group, at) in &self.parts[k] {
+            for &(group, at) in of.parts(k) {
                 let range = tree.starts[group]..tree.starts[group + 1];
                 let n = range.len();
-                let (target, y) = (&mut v.as_mut_slice()[range], &self.y[at..at + 3 * n]);
+                let (target, y) = (&mut v[range], &of.entries[at..at + 3 * n]);
                 target.iter_mut().enumerate().for_each(|(j, v)| *v += y[j] * own[0] + y[n + j] * own[1] + y[2 * n + j] * own[2]);
             }
             pushed.push(own);
         }
-        self.factor.solve(tree, &mut v, &mut self.work);
-        let mut x = right_side.clone();
-        for (k, [inverse, through, _]) in self.slopes.iter().enumerate() {
+        factor.solve(tree, v, work);
+        for (k, [inverse, through, _]) in slopes.iter().enumerate() {
             let mut moved = Vector3::zeros();
-            for &(group, at) in &self.parts[k] {
-                let v = &v.as_slice()[tree.starts[group]..tree.starts[group + 1]];
-                for (i, row) in self.y[at..at + 3 * v.len()].chunks_exact(v.len().max(1)).enumerate() {
+            for &(group, at) in of.parts(k) {
+                let v = &v[tree.starts[group]..tree.starts[group + 1]];
+                for (i, row) in of.entries[at..at + 3 * v.len()].chunks_exact(v.len().max(1)).enumerate() {
                     moved[i] += row.iter().zip(v).map(|(y, v)| y * v).sum::<f64>();
                 }
             }
             let own = pushed[k] - inverse * (through * moved);
             (0..d).for_each(|i| x[k * d + i] = own[i]);
         }
-        x
     }
 }
 
@@ -184,6 +187,7 @@ mod tests {
     fn both_eliminations_have_the_same_answer() {
         let w = wall(4, 3, 1.0);
         let factor = VelocityFactor::recover(&w).expect("bricks");
+        let mut velocities = VelocityElimination::default();
         for is_symmetric in [true, false] {
             let slopes: Vec<Slopes> = (0..w.contacts())
                 .map(|k| {
@@ -195,7 +199,7 @@ mod tests {
                 })
                 .collect();
             let right = DVector::from_fn(3 * w.contacts(), |i, _| (i % 7) as f64 - 3.0);
-            let mut velocities = VelocityElimination::new(&factor, 3);
+            velocities.prepare(&factor);
             let mut contacts = BlockElimination::default();
             assert!(velocities.factor(&slopes, is_symmetric) && contacts.factor(&w, &slopes, is_symmetric));
             let (one, other) = (velocities.solve(&w, &right).expect("well conditioned"), contacts.solve(&w, &right));
@@ -207,7 +211,8 @@ mod tests {
     fn an_answer_that_lost_its_digits_is_not_given() {
         let w = wall(3, 2, 1.0);
         let factor = VelocityFactor::recover(&w).expect("bricks");
-        let mut velocities = VelocityElimination::new(&factor, 3);
+        let mut velocities = VelocityElimination::default();
+        velocities.prepare(&factor);
         let right = DVector::from_element(3 * w.contacts(), 1.0);
         let slopes = |own: f64| vec![Slopes { own: Matrix3::identity() * own, through: Matrix3::identity(), inverse: None }; w.contacts()];
         assert!(velocities.factor(&slopes(1e-3), true) && velocities.solve(&w, &right).is_some());

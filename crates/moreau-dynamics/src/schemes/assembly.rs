@@ -10,7 +10,11 @@ use moreau_contact::contact::{Components, Contact, Jacobian, pairs};
 use moreau_contact::problem::{ContactProblem, Law};
 use moreau_exact::Result;
 use nalgebra::DVector;
+use std::fmt::Write;
 use std::sync::Arc;
+
+/// Characters of a time of a simulation, with what stands around it.
+const LENGTH_OF_TIME: usize = 32;
 
 /// One contact candidate with the velocities a scheme may decide by.
 pub struct Candidate<'a> {
@@ -54,7 +58,7 @@ pub fn assemble(name: &str, rules: &dyn Rules, at: &StepContext) -> Result<StepP
         part.copy_from_slice(&rules.shift(candidate, at.h()));
     }
     let problem = ContactProblem::from_inertia(&held.effective_mass, &held.jacobian, &held.free_velocity)
-        .name(format!("{} {name} t={}", at.mechanism().name(), at.state().time))
+        .name(problem_name(at, name))
         .law(rules.law(rows))
         .rows_per_contact(rows)
         .friction(candidates.iter().map(|candidate| candidate.contact.friction).collect())
@@ -62,6 +66,15 @@ pub fn assemble(name: &str, rules: &dyn Rules, at: &StepContext) -> Result<StepP
         .bodies(pairs(&held.places))
         .build()?;
     Ok(StepProblem { problem: Some(problem), ..held })
+}
+
+/// What messages call the problem of a step, in memory that is large enough from the start.
+fn problem_name(at: &StepContext, scheme: &str) -> String {
+    let mechanism = at.mechanism().name();
+    let mut name = String::with_capacity(mechanism.len() + scheme.len() + LENGTH_OF_TIME);
+    // a string takes whatever is written
+    let _ = write!(name, "{mechanism} {scheme} t={}", at.state().time);
+    name
 }
 
 /// M̂, v_free and H of the contacts that a step holds, without a problem; and these contacts.

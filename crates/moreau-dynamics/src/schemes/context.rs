@@ -15,7 +15,7 @@ pub struct StepContext<'a> {
     inertia: OnceCell<Arc<Inertia>>,
     contacts: OnceCell<Vec<Contact>>,
     /// v + h M⁻¹F̄.
-    explicit: OnceCell<DVector<f64>>,
+    explicit: OnceCell<Arc<DVector<f64>>>,
 }
 
 impl<'a> StepContext<'a> {
@@ -88,7 +88,7 @@ impl<'a> StepContext<'a> {
         mass += &linear.damping * (h * theta) + &linear.stiffness * (h * h * theta * theta);
         let inertia = Arc::new(Inertia::new(mass)?);
         let force = mechanism.mean_force(&state.position, &state.velocity, h) - &linear.stiffness * &state.velocity * (h * theta);
-        let velocity = moved(&state.velocity, &inertia.solve(&force), h)?;
+        let velocity = moved(&state.velocity, inertia.solved(force), h)?;
         Ok((inertia, velocity))
     }
 
@@ -98,18 +98,19 @@ impl<'a> StepContext<'a> {
     /// Those of [`StepContext::free_motion`].
     pub fn forecast(&self) -> Result<&DVector<f64>> {
         if let Some(known) = self.explicit.get() {
-            return Ok(known);
+            return Ok(&**known);
         }
         let StepContext { mechanism, state, h, .. } = *self;
-        let pull = self.inertia()?.solve(&mechanism.mean_force(&state.position, &state.velocity, h));
-        let velocity = moved(&state.velocity, &pull, h)?;
-        Ok(self.explicit.get_or_init(|| velocity))
+        let pull = self.inertia()?.solved(mechanism.mean_force(&state.position, &state.velocity, h));
+        let velocity = moved(&state.velocity, pull, h)?;
+        Ok(&**self.explicit.get_or_init(|| Arc::new(velocity)))
     }
 }
 
 /// v + h a, if it is made of numbers.
-fn moved(velocity: &DVector<f64>, acceleration: &DVector<f64>, h: f64) -> Result<DVector<f64>> {
-    let moved = velocity + acceleration * h;
+fn moved(velocity: &DVector<f64>, mut acceleration: DVector<f64>, h: f64) -> Result<DVector<f64>> {
+    acceleration *= h;
+    let moved = acceleration + velocity;
     if moved.iter().any(|x| !x.is_finite()) {
         return Err(Error::invalid("force", "is not finite", "every force and velocity must be a finite number"));
     }

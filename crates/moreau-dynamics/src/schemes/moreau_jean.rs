@@ -171,7 +171,8 @@ impl Waist for MoreauJean {
 
     fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
         let (state, h) = (at.state(), at.h());
-        let mean = velocity_post * self.theta + &state.velocity * (1.0 - self.theta);
+        let (own, others) = (self.theta, 1.0 - self.theta);
+        let mean = velocity_post.zip_map(&state.velocity, |after, before| after * own + before * others);
         at.mechanism().integrate(&at.state().position, &mean, h)
     }
 }

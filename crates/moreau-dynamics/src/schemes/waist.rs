@@ -120,7 +120,7 @@ fn finish(parts: &Parts, at: &StepContext, assembled: StepProblem) -> Result<Ste
     let mut velocity = assembled.free_velocity.clone();
     let mut impulses = Vec::new();
     if let Some(solution) = &solution {
-        velocity += assembled.effective_mass.solve(&assembled.jacobian.tr_mul(&solution.impulse));
+        velocity += assembled.effective_mass.solved(assembled.jacobian.tr_mul(&solution.impulse));
         let places = assembled.active.iter().zip(&assembled.places);
         let one = |((&contact, &place), part): ((&usize, &Option<Place>), &[f64])| ContactImpulse { contact, impulse: part.into(), place };
         impulses = places.zip(solution.impulse.as_slice().chunks(at.mechanism().rows_per_contact())).map(one).collect();

@@ -8,14 +8,14 @@ use crate::contact::{Inertia, Jacobian};
 use crate::operator::{Operator, SparseDynamics, of_mechanism};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 /// The pieces of a [`ContactProblem`]. The defaults are: no name, Coulomb's law, three rows per contact, no shift, hard contacts,
 /// unknown mass, unknown bodies.
 #[derive(Debug)]
 #[must_use = "a problem is made by `build`"]
 pub struct ContactProblemBuilder {
-    name: String,
+    name: Arc<str>,
     rows_per_contact: usize,
     law: Law,
     friction: Option<Vec<f64>>,
@@ -79,7 +79,7 @@ impl ContactProblem {
     /// is stored by blocks where most contacts do not meet, and no matrix is as large as the mechanism.
     pub fn from_inertia(inertia: &Arc<Inertia>, jacobian: &Arc<Jacobian>, free_motion: &DVector<f64>) -> ContactProblemBuilder {
         let free_velocity = fitting(jacobian.ncols(), free_motion).map(|motion| &**jacobian * motion);
-        let known = Known::Sparse { inertia: inertia.clone(), jacobian: jacobian.clone(), dense: OnceLock::new() };
+        let known = Known::sparse(inertia.clone(), jacobian.clone());
         ContactProblemBuilder::of(of_mechanism(inertia, jacobian), free_velocity, Some(known))
     }
 
@@ -178,7 +178,7 @@ fn free_motion_of(wanted: usize, found: usize) -> Error {
 impl ContactProblemBuilder {
     fn of(delassus: Result<Operator>, free_velocity: Result<DVector<f64>>, dynamics: Option<Known>) -> Self {
         ContactProblemBuilder {
-            name: String::new(),
+            name: Arc::default(),
             rows_per_contact: 3,
             law: Law::Coulomb,
             friction: None,
@@ -194,7 +194,7 @@ impl ContactProblemBuilder {
 
     /// A name for messages.
     pub fn name(mut self, name: impl Into<String>) -> Self {
-        self.name = name.into();
+        self.name = name.into().into();
         self
     }
 
@@ -280,6 +280,7 @@ impl ContactProblemBuilder {
             bodies: self.bodies,
             keys: self.keys,
             groups: Once::default(),
+            weights: Once::default(),
             islands: Once::default(),
             velocity_factor: Once::default(),
         };

@@ -3,6 +3,7 @@
 use super::dynamics::Dynamics;
 use crate::contact::{Inertia, Jacobian};
 use crate::operator::BlockRows;
+use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
@@ -12,7 +13,14 @@ pub(super) enum Known {
     /// As matrices.
     Dense(Dynamics),
     /// As a step has them, with the matrices once something asked for them.
-    Sparse { inertia: Arc<Inertia>, jacobian: Arc<Jacobian>, dense: OnceLock<Dynamics> },
+    Sparse {
+        inertia: Arc<Inertia>,
+        /// H of the step.
+        jacobian: Arc<Jacobian>,
+        /// Which of its contacts these are, if they are not all of them.
+        members: Option<Vec<usize>>,
+        dense: OnceLock<Dynamics>,
+    },
 }
 
 impl Known {
@@ -24,20 +32,43 @@ impl Known {
         }
     }
 
+    /// As a step has them.
+    pub fn sparse(inertia: Arc<Inertia>, jacobian: Arc<Jacobian>) -> Self {
+        Known::Sparse { inertia, jacobian, members: None, dense: OnceLock::new() }
+    }
+
+    /// M̂ and H of some of the contacts; none where H is a matrix.
+    pub fn of(&self, contacts: &[usize]) -> Option<Self> {
+        let Known::Sparse { inertia, jacobian, members, .. } = self else { return None };
+        let members = contacts.iter().map(|k| members.as_ref().map_or(*k, |members| members[*k])).collect();
+        Some(Known::Sparse { inertia: inertia.clone(), jacobian: jacobian.clone(), members: Some(members), dense: OnceLock::new() })
+    }
+
+    /// M̂ by bodies, and H of the contacts themselves; none where they are matrices.
+    pub fn by_bodies(&self) -> Option<(&Inertia, Cow<'_, Jacobian>)> {
+        let Known::Sparse { inertia, jacobian, members, .. } = self else { return None };
+        let own = members.as_ref().map_or(Cow::Borrowed(&**jacobian), |members| Cow::Owned(jacobian.of(members)));
+        Some((inertia, own))
+    }
+
     /// M̂ and H with all their zeros.
     pub fn dense(&self) -> &Dynamics {
         match self {
             Known::Dense(dynamics) => dynamics,
-            Known::Sparse { inertia, jacobian, dense } => {
-                dense.get_or_init(|| Dynamics { mass: inertia.matrix().clone(), jacobian: jacobian.to_dense() })
-            }
+            Known::Sparse { inertia, jacobian, members, dense } => dense.get_or_init(|| {
+                let jacobian = members.as_ref().map_or_else(|| jacobian.to_dense(), |members| jacobian.of(members).to_dense());
+                Dynamics { mass: inertia.matrix().clone(), jacobian }
+            }),
         }
     }
 
     /// Appends the columns of H that the rows of a contact touch, growing.
     pub fn push_touched(&self, contact: usize, rows: usize, columns: &mut Vec<usize>) {
         match self {
-            Known::Sparse { jacobian, .. } => columns.extend(jacobian.contacts()[contact].touched()),
+            Known::Sparse { jacobian, members, .. } => {
+                let contact = members.as_ref().map_or(contact, |members| members[contact]);
+                columns.extend(jacobian.contacts()[contact].touched());
+            }
             Known::Dense(Dynamics { jacobian, .. }) => {
                 let rows = jacobian.rows(contact * rows, rows);
                 columns.extend((0..jacobian.ncols()).filter(|column| rows.column(*column).iter().any(|entry| *entry != 0.0)));
@@ -57,10 +88,8 @@ pub(super) fn push_columns_of(jacobian: &BlockRows, contact: usize, columns: &mu
 impl PartialEq for Known {
     /// Whether both are the same mass and Jacobian.
     fn eq(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Known::Sparse { inertia, jacobian, .. }, Known::Sparse { inertia: mass, jacobian: rows, .. }) => {
-                jacobian == rows && inertia.mass() == mass.mass()
-            }
+        match (self.by_bodies(), other.by_bodies()) {
+            (Some((inertia, jacobian)), Some((mass, rows))) => jacobian == rows && inertia.mass() == mass.mass(),
             _ => self.dense() == other.dense(),
         }
     }

@@ -3,6 +3,7 @@
 use super::{ContactKey, Law};
 use crate::operator::{ContactOperator, Islands, Operator, VelocityFactor};
 use nalgebra::{DMatrix, DVector};
+use std::sync::Arc;
 
 mod builder;
 mod dynamics;
@@ -42,6 +43,15 @@ pub struct Compliance {
     pub diagonal: DVector<f64>,
 }
 
+/// What an impulse of each contact moves at the contact itself, normal and tangential.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Weights {
+    /// ρ_n and ρ_t \[kg\].
+    pub weights: Vec<[f64; 2]>,
+    /// Whether it moves anything.
+    pub moves_itself: Vec<[bool; 2]>,
+}
+
 /// One step's contact problem, valid since it was built.
 ///
 /// Find r with u = W r + u_free, y = u + shift + R r and (r, y) in the law, contact by contact. How W is stored is the affair of
@@ -52,7 +62,7 @@ pub struct Compliance {
 /// [`ContactProblem::new`] or [`ContactProblem::from_dynamics`] begins one; [`ContactProblem::into_builder`] changes one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactProblem {
-    name: String,
+    name: Arc<str>,
     rows_per_contact: usize,
     law: Law,
     friction: Vec<f64>,
@@ -64,6 +74,7 @@ pub struct ContactProblem {
     bodies: Option<Vec<[Option<usize>; 2]>>,
     keys: Option<Vec<ContactKey>>,
     groups: Once<Vec<usize>>,
+    weights: Once<Weights>,
     islands: Once<Islands>,
     velocity_factor: Once<Option<VelocityFactor>>,
 }
@@ -132,6 +143,11 @@ impl ContactProblem {
         self.groups.get_or(|| find(self))
     }
 
+    /// What `find` says of each contact alone, which every judge and every step of Newton's method asks for: it is found once.
+    pub(crate) fn weights(&self, find: impl FnOnce(&Self) -> Weights) -> &Weights {
+        self.weights.get_or(|| find(self))
+    }
+
     /// The contacts that W joins, found once.
     pub(crate) fn islands(&self) -> &Islands {
         self.islands.get_or(|| Islands::of(&self.delassus, self.contacts()))
@@ -140,9 +156,10 @@ impl ContactProblem {
     /// W = Y Yᵀ by bodies, found once: from the mechanism or the bodies where they are known, else from the blocks of W; `None` where they
     /// do not tell, or there are too many velocities for elimination in them to pay.
     pub(crate) fn velocity_factor(&self) -> Option<&VelocityFactor> {
-        let find = || match (self.delassus.matrix_free(), &self.dynamics) {
+        let by_bodies = || self.dynamics.as_ref().and_then(Known::by_bodies);
+        let find = || match (self.delassus.matrix_free(), by_bodies()) {
             (Some(free), _) => VelocityFactor::of_bodies(free).filter(VelocityFactor::pays),
-            (None, Some(Known::Sparse { inertia, jacobian, .. })) => VelocityFactor::of_mechanism(inertia, jacobian),
+            (None, Some((inertia, jacobian))) => VelocityFactor::of_mechanism(inertia, &jacobian),
             _ => self.delassus.blocks().and_then(VelocityFactor::recover).filter(VelocityFactor::pays),
         };
         self.velocity_factor.get_or(find).as_ref()
@@ -235,6 +252,12 @@ impl ContactProblem {
     /// u = W r + u_free \[m/s\] for impulses r \[N·s\].
     pub fn velocity(&self, impulse: &DVector<f64>) -> DVector<f64> {
         self.apply(impulse) + &self.free_velocity
+    }
+
+    /// Overwrites `velocity` with [`ContactProblem::velocity`].
+    pub(crate) fn write_velocity(&self, impulse: &[f64], velocity: &mut [f64]) {
+        self.delassus.write_product(impulse, velocity);
+        velocity.iter_mut().zip(&self.free_velocity).for_each(|(u, free)| *u += free);
     }
 
     /// y = u + shift + R r \[m/s\]; an edge compliance is not part of it, because it acts on edge impulses.

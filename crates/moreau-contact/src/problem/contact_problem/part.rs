@@ -1,23 +1,20 @@
 //! The problem of some of the contacts, which W joins with no other.
 
-use super::known::Known;
 use super::once::Once;
 use super::{Compliance, ContactProblem};
 use crate::operator::{Islands, Operator};
 use nalgebra::{DMatrix, DVector};
-use std::sync::OnceLock;
 
 impl ContactProblem {
     /// The problem of one island, or of one contact that meets no other.
     pub(crate) fn island(&self, islands: &Islands, members: &[usize]) -> ContactProblem {
         let rows = self.rows_per_contact;
         let part = |whole: &DVector<f64>| island_rows(whole, members, rows);
-        let known = match &self.dynamics {
-            Some(Known::Sparse { inertia, jacobian, .. }) => {
-                Some(Known::Sparse { inertia: inertia.clone(), jacobian: jacobian.of(members).into(), dense: OnceLock::new() })
-            }
-            _ => None,
-        };
+        let known = self.dynamics.as_ref().and_then(|known| known.of(members));
+        // the first of an island of several is not the last of them
+        let are_lone = members.last().is_some_and(|k| islands.first[*k] == *k);
+        let is_stored = self.delassus.is_dense() || self.delassus.blocks().is_some();
+        let own = is_stored.then(|| Islands::found(members.len(), are_lone));
         // contacts of one group are joined by W
         let groups = self.groups.get().map(|groups| members.iter().map(|k| islands.place_among(members, groups[*k])).collect());
         ContactProblem {
@@ -36,7 +33,8 @@ impl ContactProblem {
             bodies: self.bodies.as_ref().map(|bodies| members.iter().map(|k| bodies[*k]).collect()),
             keys: None,
             groups: groups.map_or_else(Once::default, Once::known),
-            islands: Once::default(),
+            weights: Once::default(),
+            islands: own.map_or_else(Once::default, Once::known),
             velocity_factor: Once::default(),
         }
     }
@@ -54,6 +52,7 @@ impl ContactProblem {
 
 /// The rows of these contacts.
 pub(crate) fn island_rows(whole: &DVector<f64>, members: &[usize], rows: usize) -> DVector<f64> {
-    let contacts = members.iter().flat_map(|k| &whole.as_slice()[k * rows..(k + 1) * rows]);
-    DVector::from_iterator(members.len() * rows, contacts.copied())
+    let mut part = Vec::with_capacity(members.len() * rows);
+    members.iter().for_each(|k| part.extend_from_slice(&whole.as_slice()[k * rows..(k + 1) * rows]));
+    DVector::from_vec(part)
 }

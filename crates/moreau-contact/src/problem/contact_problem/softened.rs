@@ -1,5 +1,6 @@
-//! The problem with other softness and shift, in place: W and what was found of it stay.
+//! The problem with other softness and shift, in place: W and what was found of it alone stay.
 
+use super::once::Once;
 use super::{Compliance, ContactProblem, Coordinates};
 use nalgebra::DVector;
 
@@ -14,6 +15,7 @@ impl ContactProblem {
         assert!(softness.len() == self.rows() && shift.len() == self.rows(), "one entry per row");
         self.compliance = Some(Compliance { coordinates: Coordinates::Contact, diagonal: softness });
         self.shift = shift;
+        self.weights = Once::default(); // they have R in them
     }
 }
 

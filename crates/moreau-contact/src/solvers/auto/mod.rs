@@ -2,17 +2,15 @@
 
 mod stages;
 
-use super::ContactSolver;
-use crate::certificate::Judge;
+use super::{ContactSolver, workspace};
 use crate::operator::Islands;
 use crate::problem::{ContactProblem, Coordinates, Law, Solution, island_rows};
 use crate::tolerance::certificate::CERTIFY;
-use crate::tolerance::solvers::{ACCEPTABLE, ENOUGH, FEWEST_IN_ISLANDS, KEPT, STOP};
+use crate::tolerance::solvers::{ACCEPTABLE, ENOUGH, FEWEST_IN_ISLANDS, STOP};
 use moreau_exact::error::Failure;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 use stages::{QUICK, THOROUGH, left_out};
-use std::cell::RefCell;
 
 /// The default choice: one algorithm after another, in a fixed order, until the certificate's residuals are below [`ENOUGH`], after the
 /// first of nonsmooth Newton below [`ACCEPTABLE`]; otherwise the best answer seen.
@@ -168,18 +166,9 @@ fn at_once(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Go
         return Some(Solution::new(NAME, DVector::zeros(problem.rows()), problem.free_velocity().clone(), 0));
     }
     let kept = warm_start?;
-    let solution = Solution::new(NAME, kept.clone(), problem.velocity(kept), 0);
-    is_within(problem, &solution, goal.enough).then_some(solution)
-}
-
-thread_local! {
-    /// Prepared anew for every problem; only its memory is used again, from step to step of a simulation.
-    static JUDGE: RefCell<Judge> = RefCell::default();
-}
-
-fn is_within(problem: &ContactProblem, solution: &Solution, relative: f64) -> bool {
-    let judge = |judge: &mut Judge| judge.judge(problem, solution).is_ok_and(|judged| judged.relative() <= relative);
-    if problem.contacts() > KEPT { judge(&mut Judge::default()) } else { JUDGE.with_borrow_mut(judge) }
+    let mut memory = workspace::borrow(problem);
+    memory.propose(kept.as_slice());
+    (memory.relative(problem) <= goal.enough).then(|| memory.answered(NAME, 0))
 }
 
 /// The answers to all islands, if there are several and one has an answer; no other algorithm does better, for they do not move each other.
@@ -187,7 +176,7 @@ fn is_within(problem: &ContactProblem, solution: &Solution, relative: f64) -> bo
 /// that took most of them.
 fn islands(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Option<Solution> {
     let islands = problem.islands();
-    let lone = islands.members.last().filter(|_| islands.last_is_of_lone).map_or(0, Vec::len);
+    let lone = islands.members.last().filter(|_| islands.last_is_of_lone).map_or(0, <[usize]>::len);
     if islands.members.len() + lone.saturating_sub(1) < 2 || !stages::is_iterated(problem) {
         return None;
     }
@@ -248,7 +237,8 @@ impl Merged {
 
 /// One algorithm after another until the goal is reached, and the best answer of all with its relative residual.
 fn stages_in_turn(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Result<(f64, Solution)> {
-    let (mut judge, mut iterations) = (Judge::default(), 0);
+    let (mut memory, mut iterations) = (workspace::borrow(problem), 0);
+    let judge = &mut memory.judge;
     judge.prepare(problem);
     let mut best: Option<(f64, Solution)> = None;
     if let Some(solution) = warm_start.and_then(|kept| stages::from_kept(problem, kept, goal.stop)) {
@@ -385,9 +375,11 @@ mod tests {
     fn an_island_is_the_problem_of_its_contacts() {
         let problem = chains(4);
         let islands = problem.islands();
-        assert_eq!(islands.members.iter().map(Vec::len).collect::<Vec<_>>(), [5, 5, 5, 5, 4]);
-        for members in &islands.members {
+        assert_eq!(islands.members.iter().map(<[usize]>::len).collect::<Vec<_>>(), [5, 5, 5, 5, 4]);
+        for members in islands.members.iter() {
             let island = problem.island(islands, members);
+            let (known, found) = (island.islands(), Islands::of(island.delassus(), members.len()));
+            assert_eq!((&known.members, &known.first, known.last_is_of_lone), (&found.members, &found.first, found.last_is_of_lone));
             for (place, k) in members.iter().enumerate() {
                 assert_eq!(
                     (island.free_velocity()[place], island.friction()[place]),

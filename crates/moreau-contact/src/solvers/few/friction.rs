@@ -4,10 +4,10 @@
 
 use super::contacts::Contacts;
 use super::newton;
-use super::parts::{MOST, answer, relative};
+use super::parts::MOST;
 use crate::cones::second_order::tangential_norm;
 use crate::problem::{ContactProblem, Solution};
-use crate::solvers::watch;
+use crate::solvers::{watch, workspace};
 use crate::tolerance::newton::{FEW_NEWTON_STEPS, FEW_ROUNDS, FEW_SWEEPS_BEFORE};
 use crate::tolerance::solvers::NONSMOOTH_PROXIMALS;
 use nalgebra::DVector;
@@ -41,12 +41,12 @@ pub(super) fn solve<const D: usize>(problem: &ContactProblem, start: Option<&DVe
 impl<const D: usize> Contacts<D> {
     /// The answer, if its residual is at most this.
     fn judged(&self, problem: &ContactProblem, name: &str, iterations: usize, most: f64) -> Option<Solution> {
-        let mut impulse = DVector::from_column_slice(self.impulse[..self.count].as_flattened());
-        impulse.as_mut_slice().chunks_exact_mut(D).zip(problem.friction()).for_each(|(r, mu)| take_back(r, *mu));
-        let solution = answer(problem, name, impulse, iterations);
-        let relative = relative(problem, &solution);
+        let mut memory = workspace::borrow(problem);
+        let impulse = memory.propose(self.impulse[..self.count].as_flattened());
+        impulse.chunks_exact_mut(D).zip(problem.friction()).for_each(|(r, mu)| take_back(r, *mu));
+        let relative = memory.relative(problem);
         watch::note(relative);
-        (relative <= most).then_some(solution)
+        (relative <= most).then(|| memory.answered(name, iterations))
     }
 
     fn newton(&mut self, problem: &ContactProblem, iterations: &mut usize, [stop, enough]: [f64; 2]) -> Option<Solution> {

@@ -24,7 +24,7 @@
 
 use super::faces::Faces;
 use super::shape::Pose;
-use super::touch::{Touch, direction};
+use super::touch::{Touch, Touches, direction};
 use crate::tolerance::mechanics::{BESIDE, PARALLEL, SAME_POINT};
 use nalgebra::Vector3;
 use parry3d_f64::math::{Pose as ParryPose, Rotation, Vector};
@@ -32,39 +32,39 @@ use parry3d_f64::query::details::{closest_points_segment_segment, contact_manifo
 use parry3d_f64::query::{ClosestPoints, ContactManifold, TrackedContact};
 use parry3d_f64::shape::{Cuboid, FeatureId, Segment};
 
-/// The candidates of a pair of boxes, normals pointing to the first.
-pub(super) fn box_box(half_extents: [f64; 3], first: &Pose, other: [f64; 3], second: &Pose) -> Vec<Touch> {
-    manifold([half_extents, other], [first, second], Faces::new)
+/// Appends the candidates of a pair of boxes, normals pointing to the first.
+pub(super) fn box_box(half_extents: [f64; 3], first: &Pose, other: [f64; 3], second: &Pose, into: &mut Touches) {
+    manifold([half_extents, other], [first, second], Faces::new, into);
 }
 
-/// The candidates of a pair of boxes. `share` takes the outward normals of two faces that look at each other and gives their shared normal.
+/// Appends the candidates of a pair of boxes. `share` takes the outward normals of two faces that look at each other and gives their shared normal.
 pub(super) fn manifold(
     half_extents: [[f64; 3]; 2],
     poses: [&Pose; 2],
     share: impl Fn(&Vector3<f64>, &Vector3<f64>) -> Option<Faces>,
-) -> Vec<Touch> {
-    let pair = Pair::new(half_extents, poses);
-    let mut manifold = ContactManifold::<(), ()>::new();
-    contact_manifold_cuboid_cuboid(&pair.relative, &pair.cuboids[0], &pair.cuboids[1], f64::MAX, &mut manifold);
-    let mut touches: Vec<Touch> = Vec::with_capacity(manifold.points.len());
-    let [own, opposite] = pair.facing(&manifold);
+    Touches { list: touches, manifold }: &mut Touches,
+) {
+    let (pair, begin) = (Pair::new(half_extents, poses), touches.len());
+    // a manifold without points is a new one: nothing is taken over from the pair before
+    manifold.clear();
+    contact_manifold_cuboid_cuboid(&pair.relative, &pair.cuboids[0], &pair.cuboids[1], f64::MAX, manifold);
+    let [own, opposite] = pair.facing(manifold);
     let faces = share(&own, &opposite);
-    for touch in manifold.points.iter().filter_map(|point| pair.measure(point, &manifold, faces.as_ref())) {
+    for touch in manifold.points.iter().filter_map(|point| pair.measure(point, manifold, faces.as_ref())) {
         if touch.gap > 0.0 && pair.overshoot(&touch) > BESIDE * touch.gap + SAME_POINT * pair.size {
             continue;
         }
         let same = |known: &Touch| (known.points[0] - touch.points[0]).norm() <= SAME_POINT * pair.size;
-        if !touches.iter().any(same) {
+        if !touches[begin..].iter().any(same) {
             touches.push(touch);
         }
     }
-    let nearest = touches.iter().map(|touch| touch.gap).fold(f64::INFINITY, f64::min);
-    let separation = pair.separation(&manifold);
+    let nearest = touches[begin..].iter().map(|touch| touch.gap).fold(f64::INFINITY, f64::min);
+    let separation = pair.separation(manifold);
     let found = separation <= 0.0 || nearest <= separation * (1.0 + BESIDE) + SAME_POINT * pair.size;
-    if touches.is_empty() || !found {
+    if touches.len() == begin || !found {
         touches.extend(pair.nearest_edges().filter(|touch| touch.gap < nearest));
     }
-    touches
 }
 
 /// Two boxes, also in the terms of the collision library; lengths there are in units of `size`.

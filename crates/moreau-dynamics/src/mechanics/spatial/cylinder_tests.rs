@@ -42,9 +42,9 @@ fn worlds() -> Vec<Pose> {
 }
 
 fn touches([own, other]: [Shape; 2], [first, second]: [Place; 2], world: &Pose) -> Vec<Touch> {
-    let mut found = Vec::new();
+    let mut found = Touches::default();
     pair_touches(&own, &pose(first, world), &other, &pose(second, world), &mut found);
-    found
+    found.list
 }
 
 /// The candidates whose gap is this one; none is less.

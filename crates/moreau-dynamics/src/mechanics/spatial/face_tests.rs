@@ -1,7 +1,8 @@
 //! Contacts of parallel faces: dependent rows, attainable velocities, gap rates, continuity, exchange. The planted mistake is always
 //! the same manifold with the features' own normals and points.
 
-use super::boxes::{box_box, manifold};
+use super::boxes;
+use super::faces::Faces;
 use super::tests::{Numbers, cuboid, pair};
 use super::*;
 use crate::tolerance::mechanics::{DIFFERENCE_STEP, PARALLEL, central_difference};
@@ -37,6 +38,27 @@ fn on_ground(numbers: &mut Numbers, yaw: f64, tilt: f64) -> (SpatialBodies, DVec
     (body, both.rows(0, 7).into_owned())
 }
 
+/// The candidates of two boxes.
+fn manifold(
+    half_extents: [[f64; 3]; 2],
+    poses: [&Pose; 2],
+    share: impl Fn(&Vector3<f64>, &Vector3<f64>) -> Option<Faces> + Copy,
+) -> Vec<Touch> {
+    let mut found = Touches::default();
+    boxes::manifold(half_extents, poses, share, &mut found);
+    // memory that served for another pair, and touches that stand before, change nothing
+    let mut again = Touches::default();
+    boxes::box_box([1.0, 0.2, 0.3], poses[1], [0.1, 0.4, 0.2], poses[0], &mut again);
+    let begin = again.list.len();
+    boxes::manifold(half_extents, poses, share, &mut again);
+    assert_eq!(again.list[begin..], found.list);
+    found.list
+}
+
+fn box_box(half_extents: [f64; 3], first: &Pose, other: [f64; 3], second: &Pose) -> Vec<Touch> {
+    manifold([half_extents, other], [first, second], Faces::new)
+}
+
 /// The candidates of the two boxes, with shared normals and with their own.
 fn touches(q: &DVector<f64>) -> [Vec<Touch>; 2] {
     let (first, second) = (Pose::of(0, q), Pose::of(1, q));
@@ -54,7 +76,7 @@ fn corners(bodies: &SpatialBodies, q: &DVector<f64>) -> [Vec<Touch>; 2] {
 
 /// The rows n, t₁, t₂ of every candidate, one block each.
 fn blocks(bodies: &SpatialBodies, q: &DVector<f64>, touches: &[Touch]) -> [DMatrix<f64>; 3] {
-    let poses = bodies.poses(q);
+    let poses: Vec<Pose> = bodies.poses(q).collect();
     let second = (poses.len() > 1).then_some(1);
     let rows: Vec<DMatrix<f64>> =
         touches.iter().map(|touch| bodies.contact(0, second, touch, &|body| poses[body]).jacobian.to_dense()).collect();
@@ -198,7 +220,7 @@ fn gaps_of_parallel_faces_change_at_the_rate_of_their_rows_up_to_the_angle_betwe
             let v = DVector::from_fn(12, |_, _| 0.5 * numbers.next());
             let bodies = boxes();
             let [[now, own], [after, _], [before, _]] = [0.0, h, -h].map(|time| touches(&bodies.integrate(&q, &v, time)));
-            let poses = bodies.poses(&q);
+            let poses: Vec<Pose> = bodies.poses(&q).collect();
             for (touch, own) in now.iter().zip(&own) {
                 let same = |list: &[Touch]| list.iter().find(|other| other.features == touch.features).copied();
                 let (Some(after), Some(before)) = (same(&after), same(&before)) else { continue };

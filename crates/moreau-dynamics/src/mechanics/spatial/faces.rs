@@ -53,15 +53,15 @@ impl Faces {
 /// Lets the rows of the corners of one face see them at the same height over the ground, halfway between the lowest and the highest.
 ///
 /// The ground has one normal for all of them. Without this a turn that closes their gaps moves the higher ones sideways.
-pub(super) fn level(corners: &mut [&mut Touch], outward: &Vector3<f64>, ground: &Vector3<f64>) {
+pub(super) fn level(touches: &mut [Touch], is_corner: impl Fn(&Touch) -> bool, outward: &Vector3<f64>, ground: &Vector3<f64>) {
     let weight = faces_are_parallel((outward + ground).norm());
     if weight == 0.0 {
         return;
     }
-    let (low, high) =
-        corners.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), touch| (touch.gap.min(low), touch.gap.max(high)));
+    let corners = touches.iter().filter(|touch| is_corner(touch));
+    let (low, high) = corners.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), touch| (touch.gap.min(low), touch.gap.max(high)));
     let height = 0.5 * (low + high);
-    for touch in corners {
+    for touch in touches.iter_mut().filter(|touch| is_corner(touch)) {
         let rise = ground * (weight * (height - touch.gap));
         touch.seen = touch.points.map(|point| point + rise);
     }

@@ -15,7 +15,7 @@ use super::faces::level;
 use super::round::{self, Rod};
 use super::shape::{Pose, Shape, corners};
 use super::spheres::{sphere_box, sphere_sphere};
-use super::touch::Touch;
+use super::touch::{Touch, Touches};
 use crate::mechanics::Plane;
 use nalgebra::Vector3;
 
@@ -50,13 +50,12 @@ fn level_lowest_face(touches: &mut [Touch], pose: &Pose, normal: &Vector3<f64>) 
     // corner k has the sign of bit k of its number, x first
     let (bit, up) = (4 >> axis, upward[axis] > 0.0);
     let outward = pose.rotation.column(axis) * if up { -1.0 } else { 1.0 };
-    let mut lowest: Vec<&mut Touch> = Vec::with_capacity(4);
-    lowest.extend(touches.iter_mut().filter(|touch| (touch.features[0] & bit == 0) == up));
-    level(&mut lowest, &outward, normal);
+    level(touches, |touch| (touch.features[0] & bit == 0) == up, &outward, normal);
 }
 
 /// Appends the candidates of a pair of shapes: one with a sphere, a manifold of a pair of others.
-pub(super) fn pair_touches(first: &Shape, pose_first: &Pose, second: &Shape, pose_second: &Pose, touches: &mut Vec<Touch>) {
+pub(super) fn pair_touches(first: &Shape, pose_first: &Pose, second: &Shape, pose_second: &Pose, into: &mut Touches) {
+    let touches = &mut into.list;
     match (*first, *second) {
         (Shape::Sphere { radius }, Shape::Sphere { radius: other }) => {
             touches.push(sphere_sphere(radius, pose_first, other, pose_second));
@@ -68,7 +67,7 @@ pub(super) fn pair_touches(first: &Shape, pose_first: &Pose, second: &Shape, pos
             touches.push(sphere_box(radius, &pose_second.centre, half_extents, pose_first).swapped());
         }
         (Shape::Box { half_extents }, Shape::Box { half_extents: other }) => {
-            touches.extend(box_box(half_extents, pose_first, other, pose_second));
+            box_box(half_extents, pose_first, other, pose_second, into);
         }
         (Shape::Capsule { radius, half_height }, Shape::Capsule { radius: other, half_height: length }) => {
             let second = Rod { radius: other, half_height: length, pose: pose_second };
@@ -98,8 +97,8 @@ pub(super) fn pair_touches(first: &Shape, pose_first: &Pose, second: &Shape, pos
         | (Shape::Box { .. }, Shape::Capsule { .. } | Shape::Cylinder { .. })
         | (Shape::Cylinder { .. }, Shape::Capsule { .. }) => {
             let begin = touches.len();
-            pair_touches(second, pose_second, first, pose_first, touches);
-            touches[begin..].iter_mut().for_each(|touch| *touch = touch.swapped());
+            pair_touches(second, pose_second, first, pose_first, into);
+            into.list[begin..].iter_mut().for_each(|touch| *touch = touch.swapped());
         }
     }
 }

@@ -22,6 +22,7 @@ mod faces;
 mod features;
 mod gyroscopic;
 mod round;
+mod search;
 mod shape;
 mod solids;
 mod spheres;
@@ -31,6 +32,7 @@ pub(in crate::mechanics) use shape::Pose;
 pub use shape::{Shape, SpatialBody};
 pub(in crate::mechanics) use spheres::sphere_box;
 pub(in crate::mechanics) use touch::Touch;
+use touch::Touches;
 
 use super::neighbours::Neighbours;
 use super::{BodyState, Materials, Mechanism, PairMaterial, Plane, State};
@@ -113,8 +115,8 @@ impl SpatialBodies {
         self.bodies.iter().enumerate().filter(|(_, body)| body.is_free())
     }
 
-    fn poses(&self, position: &DVector<f64>) -> Vec<Pose> {
-        (0..self.bodies.len()).map(|body| Pose::of(body, position)).collect()
+    fn poses(&self, position: &DVector<f64>) -> impl Iterator<Item = Pose> {
+        (0..self.bodies.len()).map(|body| Pose::of(body, position))
     }
 
     fn contact(&self, first: usize, second: Option<usize>, touch: &Touch, pose: &dyn Fn(usize) -> Pose) -> Contact {
@@ -138,41 +140,12 @@ impl SpatialBodies {
 
     /// The candidates with a gap of at most `reach`, their rows taken at the points of the two bodies that `seen` chooses.
     fn candidates(&self, position: &DVector<f64>, reach: f64, seen: impl Fn(&Touch) -> [Vector3<f64>; 2]) -> Vec<Contact> {
-        let poses = self.poses(position);
         let mut contacts = Vec::with_capacity(self.neighbours.expected());
-        self.touches(&poses, reach, |first, second, touch| {
+        self.touches(position, reach, |poses, first, second, touch| {
             contacts.push(self.contact(first, second, &Touch { seen: seen(touch), ..*touch }, &|body| poses[body]));
         });
         self.neighbours.expect(contacts.len());
         contacts
-    }
-
-    /// Shows where bodies touch with a gap of at most `reach`, in the order of the candidates.
-    fn touches(&self, poses: &[Pose], reach: f64, mut show: impl FnMut(usize, Option<usize>, &Touch)) {
-        let mut touches = Vec::with_capacity(MOST_TOUCHES);
-        let mut keep = |first: usize, second: Option<usize>, touches: &mut Vec<Touch>| {
-            touches.iter().filter(|touch| touch.gap <= reach).for_each(|touch| show(first, second, touch));
-            touches.clear();
-        };
-        if let Some(ground) = &self.ground {
-            let normal = Vector3::new(ground.normal[0], ground.normal[1], ground.normal[2]);
-            let lowest = |body: usize| normal.dot(&poses[body].centre) - ground.offset - self.bodies[body].shape().radius();
-            for (first, body) in self.free().filter(|(body, _)| lowest(*body) <= reach) {
-                ground_touches(body.shape(), &poses[first], ground, &mut touches);
-                keep(first, None, &mut touches);
-            }
-        }
-        let centres: Vec<Vector3<f64>> = poses.iter().map(|pose| pose.centre).collect();
-        let radius = |body: usize| self.bodies[body].shape().radius();
-        self.neighbours.near(&centres, radius, reach, |first, second| {
-            let distance = (centres[first] - centres[second]).norm();
-            let moves = self.bodies[first].is_free() || self.bodies[second].is_free();
-            if moves && distance - radius(first) - radius(second) <= reach {
-                let (own, other) = (self.bodies[first].shape(), self.bodies[second].shape());
-                pair_touches(own, &poses[first], other, &poses[second], &mut touches);
-                keep(first, Some(second), &mut touches);
-            }
-        });
     }
 
     /// (m g, τ) per body with the given torques in the body frame.
@@ -292,23 +265,23 @@ impl Mechanism for SpatialBodies {
 
     fn count_within(&self, position: &DVector<f64>, reach: f64) -> usize {
         let mut count = 0;
-        self.touches(&self.poses(position), reach, |_, _, _| count += 1);
+        self.touches(position, reach, |_, _, _, _| count += 1);
         count
     }
 
     fn contacts_between(&self, position: &DVector<f64>, (first, second): (usize, Option<usize>)) -> Vec<Contact> {
         let pose = |body: usize| Pose::of(body, position);
-        let mut touches = Vec::new();
+        let mut touches = Touches::default();
         match (second, &self.ground) {
             (None, None) => {}
             (None, Some(_)) if !self.bodies[first].is_free() => {}
             (Some(other), _) if !(self.bodies[first].is_free() || self.bodies[other].is_free()) => {}
-            (None, Some(ground)) => ground_touches(self.bodies[first].shape(), &pose(first), ground, &mut touches),
+            (None, Some(ground)) => ground_touches(self.bodies[first].shape(), &pose(first), ground, &mut touches.list),
             (Some(other), _) => {
                 pair_touches(self.bodies[first].shape(), &pose(first), self.bodies[other].shape(), &pose(other), &mut touches);
             }
         }
-        touches.iter().map(|touch| self.contact(first, second, touch, &pose)).collect()
+        touches.list.iter().map(|touch| self.contact(first, second, touch, &pose)).collect()
     }
 
     fn contacts_halfway(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
@@ -370,7 +343,7 @@ impl Mechanism for SpatialBodies {
 
     fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
         let mut next = position.clone();
-        for (k, pose) in self.poses(position).iter().enumerate() {
+        for (k, pose) in self.poses(position).enumerate() {
             let centre = pose.centre + velocity.fixed_rows::<3>(6 * k) * h;
             let turned = (pose.quaternion * UnitQuaternion::from_scaled_axis(spin(k, velocity) * h)).into_inner().normalize();
             next.fixed_rows_mut::<3>(7 * k).copy_from(&centre);

@@ -1,6 +1,19 @@
 //! One place where bodies in space touch.
 
 use nalgebra::Vector3;
+use parry3d_f64::query::ContactManifold;
+
+/// Touches that are being found, and memory of the collision library that is used again.
+pub(in crate::mechanics) struct Touches {
+    pub list: Vec<Touch>,
+    pub manifold: ContactManifold<(), ()>,
+}
+
+impl Default for Touches {
+    fn default() -> Self {
+        Touches { list: Vec::new(), manifold: ContactManifold::new() }
+    }
+}
 
 /// One contact candidate between a first body and a second one (or the ground).
 #[derive(Clone, Copy, Debug, PartialEq)]

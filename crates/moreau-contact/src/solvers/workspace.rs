@@ -1,0 +1,136 @@
+//! Memory that solvers use again, from problem to problem and from step to step of a simulation.
+//!
+//! What is borrowed holds nothing of the problem before: whoever takes it prepares it, and no number depends on what it was used for. Each
+//! thread has as many of them as solvers stand within each other, and those of large problems are not kept.
+
+use super::contact_systems::ContactSystems;
+use crate::certificate::Judge;
+use crate::problem::{ContactProblem, Solution};
+use crate::tolerance::solvers::KEPT;
+use nalgebra::DVector;
+use std::cell::RefCell;
+use std::ops::{Deref, DerefMut};
+
+/// What one solver works with.
+pub(super) struct Workspace {
+    pub judge: Judge,
+    pub systems: ContactSystems,
+    /// An answer on the way, to be judged.
+    pub answer: Solution,
+}
+
+impl Default for Workspace {
+    fn default() -> Self {
+        let nothing = || DVector::zeros(0);
+        Workspace { judge: Judge::default(), systems: ContactSystems::default(), answer: Solution::new("", nothing(), nothing(), 0) }
+    }
+}
+
+impl Workspace {
+    /// Proposes impulses \[N·s\], which may be changed before they are judged.
+    pub fn propose(&mut self, impulse: &[f64]) -> &mut [f64] {
+        for part in [&mut self.answer.impulse, &mut self.answer.velocity] {
+            if part.len() != impulse.len() {
+                part.resize_vertically_mut(impulse.len(), 0.0);
+            }
+        }
+        self.answer.impulse.copy_from_slice(impulse);
+        self.answer.impulse.as_mut_slice()
+    }
+
+    /// The largest relative residual of what is proposed, whose velocities are computed; infinite where it is not a number.
+    pub fn relative(&mut self, problem: &ContactProblem) -> f64 {
+        let Workspace { judge, answer, .. } = self;
+        problem.write_velocity(answer.impulse.as_slice(), answer.velocity.as_mut_slice());
+        let judged = judge.judge(problem, answer).map_or(f64::INFINITY, |judged| judged.relative());
+        if judged.is_nan() { f64::INFINITY } else { judged }
+    }
+
+    /// What was judged last, as the answer of a solver.
+    pub fn answered(&self, solver: &str, iterations: usize) -> Solution {
+        Solution::new(solver, self.answer.impulse.clone(), self.answer.velocity.clone(), iterations)
+    }
+}
+
+thread_local! {
+    #[expect(clippy::vec_box, reason = "a workspace is taken out and put back at every solve, and is large")]
+    static FREE: RefCell<Vec<Box<Workspace>>> = const { RefCell::new(Vec::new()) };
+}
+
+/// A workspace for as long as it is held.
+pub(super) struct Borrowed {
+    /// There until the end.
+    own: Option<Box<Workspace>>,
+    is_kept: bool,
+}
+
+/// A workspace for this problem.
+pub(super) fn borrow(problem: &ContactProblem) -> Borrowed {
+    let is_kept = problem.contacts() <= KEPT;
+    let own = if is_kept { FREE.with_borrow_mut(Vec::pop) } else { None };
+    Borrowed { own: Some(own.unwrap_or_default()), is_kept }
+}
+
+impl Drop for Borrowed {
+    fn drop(&mut self) {
+        if let Some(own) = self.own.take().filter(|_| self.is_kept) {
+            // at the end of a thread there may be nothing left to give it back to
+            let _ = FREE.try_with(|free| free.borrow_mut().push(own));
+        }
+    }
+}
+
+impl Deref for Borrowed {
+    type Target = Workspace;
+
+    fn deref(&self) -> &Workspace {
+        self.own.as_ref().expect("it is there until the end")
+    }
+}
+
+impl DerefMut for Borrowed {
+    fn deref_mut(&mut self) -> &mut Workspace {
+        self.own.as_mut().expect("it is there until the end")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certificate::residuals;
+    use nalgebra::{DMatrix, DVector};
+
+    /// n masses that fall onto the floor one by one.
+    fn falling(n: usize, mass: f64) -> ContactProblem {
+        let delassus = DMatrix::from_diagonal_element(n, n, 1.0 / mass);
+        ContactProblem::new(delassus, DVector::from_element(n, -1.0)).rows_per_contact(1).build().unwrap()
+    }
+
+    #[test]
+    fn nothing_of_the_problem_before_is_left_in_the_memory() {
+        for (n, mass) in [(5, 1.0), (2, 4.0), (7, 0.5), (2, 1.0)] {
+            let problem = falling(n, mass);
+            for part in [1.0, 0.75] {
+                let mut memory = borrow(&problem);
+                memory.propose(&vec![part * mass; n]);
+                let found = memory.relative(&problem);
+                let answer = memory.answered("by hand", 3);
+                assert_eq!(found, residuals(&problem, &answer).unwrap().judged.relative(), "{n} {mass} {part}");
+                assert_eq!((found == 0.0, answer.velocity), (part == 1.0, DVector::from_element(n, part - 1.0)));
+            }
+        }
+    }
+
+    #[test]
+    fn a_solver_within_another_has_memory_of_its_own() {
+        let problem = falling(3, 1.0);
+        let mut outer = borrow(&problem);
+        outer.propose(&[1.0; 3]);
+        borrow(&problem).propose(&[0.0; 3]);
+        assert_eq!(outer.relative(&problem), 0.0);
+        let large = falling(KEPT + 1, 1.0);
+        borrow(&large).propose(&vec![1.0; KEPT + 1]);
+        drop(outer);
+        assert!(borrow(&problem).answer.impulse.len() <= KEPT, "that of a large problem is not kept");
+    }
+}
