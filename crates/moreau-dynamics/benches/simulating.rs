@@ -1,7 +1,7 @@
 //! What a simulation costs: steps per second, allocations per step after warm-up, memory, and the share of the certificates.
 //!
-//! `cargo bench -p moreau-dynamics --bench simulating` runs all scenes, `cargo bench --bench simulating -- stack` those whose name has the word. The share of
-//! the certificates is the time of judging every answer once more over the time of the same run, so that a busy machine changes it little.
+//! `cargo bench -p moreau-dynamics --bench simulating` runs all scenes, with `-- stack` those whose name has the word. The share of the
+//! certificates is the time of judging every answer once more over the time of the same run, so that a busy machine changes it little.
 //! It fails if a step asks for memory more often than docs/benchmarks/simulating.md promises of its scene: new memory, or more of it.
 //! Live memory is what the allocator has given out and not got back, measured at the end of each step while its parts are still held.
 

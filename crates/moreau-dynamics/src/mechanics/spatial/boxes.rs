@@ -37,7 +37,8 @@ pub(super) fn box_box(half_extents: [f64; 3], first: &Pose, other: [f64; 3], sec
     manifold([half_extents, other], [first, second], Faces::new, into);
 }
 
-/// Appends the candidates of a pair of boxes. `share` takes the outward normals of two faces that look at each other and gives their shared normal.
+/// Appends the candidates of a pair of boxes. `share` takes the outward normals of two faces that look at each other and gives their
+/// shared normal.
 pub(super) fn manifold(
     half_extents: [[f64; 3]; 2],
     poses: [&Pose; 2],
