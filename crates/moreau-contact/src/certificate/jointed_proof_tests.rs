@@ -1,21 +1,12 @@
 //! Proofs beside joints on problems whose solution is known in numbers, and on answers that were moved.
 
 use super::*;
+use crate::certificate::draw::Draw;
 use crate::certificate::planted::{Plant, with};
 use crate::problem::{ConstraintKind, Law};
 use crate::tolerance::sharpness::{EXCESS, FAR, MANY, NEAR, roundings};
 use moreau_exact::scalar::{Rational, exact};
 use nalgebra::{DMatrix, dmatrix, dvector};
-
-/// Whole numbers from a linear congruence.
-struct Draw(u64);
-
-impl Draw {
-    fn whole(&mut self, most: i64) -> i64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as i64 % (2 * most + 1) - most
-    }
-}
 
 const MU: f64 = 0.75;
 

@@ -11,6 +11,8 @@ mod decision;
 mod definite;
 pub mod definiteness;
 mod dictionary;
+#[cfg(test)]
+mod draw;
 pub mod existence;
 pub mod feasibility;
 pub mod forward;

@@ -2,24 +2,11 @@
 
 use super::*;
 use crate::certificate::backward::{Backward, HeldAs, backward};
+use crate::certificate::draw::Draw;
 use crate::certificate::planted::with;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law};
 use crate::tolerance::sharpness::{FAR, FEW, MANY, roundings};
 use nalgebra::{DMatrix, DVector, dvector};
-
-/// Whole numbers from a linear congruence.
-struct Draw(u64);
-
-impl Draw {
-    fn whole(&mut self, most: i64) -> i64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as i64 % (2 * most + 1) - most
-    }
-
-    fn part(&mut self) -> f64 {
-        self.whole(1 << 20) as f64 / f64::from(1 << 20)
-    }
-}
 
 const MU: f64 = 0.5;
 

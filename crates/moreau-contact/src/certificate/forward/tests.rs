@@ -2,20 +2,11 @@
 
 use super::*;
 use crate::certificate::backward::backward;
+use crate::certificate::draw::Draw;
 use crate::certificate::planted::with;
 use crate::tolerance::sharpness::{EXCESS, FAR, FEW, MANY, NEAR, REDUNDANT, SOME, roundings};
 use moreau_exact::scalar::{Rational, exact};
 use nalgebra::{DVector, dvector};
-
-/// Small whole numbers from a linear congruence.
-struct Draw(u64);
-
-impl Draw {
-    fn whole(&mut self, most: i64) -> i64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as i64 % (2 * most + 1) - most
-    }
-}
 
 /// Of all contacts below.
 const MU: f64 = 0.75;
