@@ -24,7 +24,7 @@ from concurrent.futures import ThreadPoolExecutor
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CRATE = ROOT / "crates" / "moreau-python"
 BUILDERS = ["maturin>=1.9,<2", "ziglang"]
-TESTERS = ["moreau", "numpy", "scipy", "pytest", "mypy", "nbclient", "nbformat", "ipykernel"]
+TESTERS = ["moreau", "numpy", "scipy", "pytest", "pytest-xdist", "mypy", "nbclient", "nbformat", "ipykernel"]
 
 
 class Steps:
@@ -124,7 +124,8 @@ def test(work: pathlib.Path, wheel: pathlib.Path, testers: tuple[pathlib.Path, d
     both = "import moreau, moreau_contact; assert moreau.__file__ != moreau_contact.__file__; print(moreau_contact.__version__)"
     steps.run("both packages", [python, "-c", both], [work / "testers" / "bin" / "moreau", "--version"], cwd=away, env=variables)
     quiet = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider"]
-    steps.run("tests", [*quiet, CRATE / "tests"], cwd=away, env=variables)
+    # side by side: most of their time they wait for engines that hang
+    steps.run("tests", [*quiet, "-n", 4, CRATE / "tests"], cwd=away, env=variables)
     steps.run("examples of the documentation", [*quiet, "--doctest-modules", "--pyargs", "moreau_contact"], cwd=away, env=variables)
     steps.run(
         "types",

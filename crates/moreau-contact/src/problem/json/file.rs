@@ -44,13 +44,13 @@ pub struct ProblemFile {
     #[serde(default)]
     pub(super) shift: Option<Vec<f64>>,
     /// W \[1/kg\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "matrix::named")]
     pub(super) delassus: Option<MatrixFile>,
     /// M̂, in place of W.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "matrix::named")]
     pub(super) mass: Option<MatrixFile>,
     /// H, with `mass`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "matrix::named")]
     pub(super) jacobian: Option<MatrixFile>,
     /// R, of soft contacts.
     #[serde(default, skip_serializing_if = "Option::is_none")]

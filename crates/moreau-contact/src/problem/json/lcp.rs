@@ -5,7 +5,7 @@
 //! ```
 //! 0 ≤ z ⟂ M z + q ≥ 0 is Signorini's problem with W = M, u_free = q and r = z; M may be any square matrix.
 
-use super::matrix::PlainMatrix;
+use super::matrix::{PlainMatrix, given};
 use crate::files::read_schema;
 use crate::memory;
 use crate::problem::{ContactProblem, Law};
@@ -29,6 +29,7 @@ pub struct LcpFile {
     #[serde(default)]
     name: String,
     /// M, square.
+    #[serde(deserialize_with = "given")]
     matrix: PlainMatrix,
     /// q, as many entries as M has rows.
     vector: Vec<f64>,
@@ -72,6 +73,8 @@ mod tests {
         };
         refused(&TWO.replace("[-1,2]", "[-1]"), "`matrix`");
         refused(&TWO.replace("[0,1]]", "[0]]"), "matrix.rows[1]");
+        refused(&TWO.replace("{\"shape\":[2,2],\"rows\":[[2,1],[0,1]]}", "[[2,1],[0,1]]"), "expected a matrix as {\"shape\"");
+        refused(&TWO.replace("{\"shape\":[2,2],\"rows\":[[2,1],[0,1]]}", "null"), "null instead of a matrix");
         refused(&TWO.replace("vector", "vectr"), "vectr");
         refused(&TWO.replace("\"rows\":[[2,1],[0,1]]", "\"blocks\":{\"row\":[],\"column\":[],\"value\":[]}"), "field `blocks`: unknown");
         refused(&TWO.replace("\"rows\":[[2,1],[0,1]]", "\"shape\":[2,2]").replacen("\"shape\":[2,2],", "", 1), "`rows` and `triplets`");

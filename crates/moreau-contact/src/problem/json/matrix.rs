@@ -7,7 +7,10 @@ use crate::tolerance::problem::DENSE_ENTRIES;
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Error as _, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+use std::marker::PhantomData;
 
 /// A matrix: all its rows, its entries that are not zero, blocks of contacts that meet (W) or of bodies (M̂), or sparse rows (H).
 #[derive(Serialize, Deserialize, JsonSchema)]
@@ -56,6 +59,33 @@ impl PlainMatrix {
         }
         MatrixFile { rows: self.rows, triplets: self.triplets, ..MatrixFile::empty(self.shape) }.read(field)
     }
+}
+
+/// Reads a matrix by the names of its parts. Without this a list would be taken for them in their order, and a list of rows refused by what
+/// its first number is not.
+pub(super) fn named<'de, D: Deserializer<'de>, T: Deserialize<'de>>(input: D) -> std::result::Result<Option<T>, D::Error> {
+    struct Parts<T>(PhantomData<T>);
+    impl<'de, T: Deserialize<'de>> Visitor<'de> for Parts<T> {
+        type Value = Option<T>;
+
+        fn expecting(&self, text: &mut std::fmt::Formatter) -> std::fmt::Result {
+            text.write_str(r#"a matrix as {"shape": [2, 2], "rows": [[1, 0], [0, 1]]}"#)
+        }
+
+        fn visit_unit<E>(self) -> std::result::Result<Self::Value, E> {
+            Ok(None)
+        }
+
+        fn visit_map<A: MapAccess<'de>>(self, parts: A) -> std::result::Result<Self::Value, A::Error> {
+            T::deserialize(MapAccessDeserializer::new(parts)).map(Some)
+        }
+    }
+    input.deserialize_any(Parts(PhantomData))
+}
+
+/// The same of a matrix that is not optional.
+pub(super) fn given<'de, D: Deserializer<'de>, T: Deserialize<'de>>(input: D) -> std::result::Result<T, D::Error> {
+    named(input)?.ok_or_else(|| D::Error::custom("is null instead of a matrix"))
 }
 
 /// Contacts, counted from 0, and the blocks W_jk between them.

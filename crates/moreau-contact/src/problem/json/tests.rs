@@ -127,6 +127,12 @@ fn every_mistake_is_named() {
     refused(&BLOCK.replace("contact-problem/1", "lcp"), &["\"lcp\"", "\"contact-problem/1\" or \"lcp/1\""]);
     refused(&BLOCK.replace("\"name\"", "\"nome\""), &["nome"]);
     refused(&BLOCK.replace("[0.25,3]", "[0.25]"), &["delassus.rows[1]", "1 entries"]);
+    refused(
+        &BLOCK.replace("{\"shape\":[2,2],\"rows\":[[1,0.25],[0.25,3]]}", "[[1,0.25],[0.25,3]]"),
+        &["`delassus`", "as {\"shape\": [2, 2], \"rows\": [["],
+    );
+    refused(&BLOCK.replace("{\"shape\":[2,2],\"rows\":[[1,0.25],[0.25,3]]}", "null"), &["`delassus`: is missing"]);
+    refused(&BLOCK.replace("\"shape\":[2,2],", ""), &["`delassus`", "missing field `shape`"]);
     refused(&BLOCK.replace("\"shape\":[2,2]", "\"shape\":[2,3]"), &["delassus", "2×3"]);
     refused(&BLOCK.replace("[0.125,0]", "[0.125]"), &["compliance.diagonal", "give size 2"]);
     refused(&BLOCK.replace("[0.125,0]", "[-1,0]"), &["compliance.diagonal[0]"]);

@@ -1,25 +1,25 @@
-//! Cylinders at boxes, cylinders and capsules: gaps, points and normals where they are known in closed form, on both sides of every
-//! boundary and turned in every way; distances and overlaps found by others; gap rates; faces; exchange.
+//! Cylinders at boxes, cylinders and capsules, and capsules at boxes: gaps, points and normals where they are known in closed form, on both
+//! sides of every boundary and turned in every way; faces.
 
 use super::tests::Numbers;
 use super::*;
-use crate::tolerance::mechanics::{DIFFERENCE_STEP, FACING, SAME_POINT, central_difference};
+use crate::tolerance::mechanics::SAME_POINT;
 use moreau_exact::tolerance::rounding;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4};
 
 /// Place and rotation vector of a body.
-type Place = ([f64; 3], [f64; 3]);
+pub(super) type Place = ([f64; 3], [f64; 3]);
 
 /// A rod of radius 0.3 m and half height 0.5 m.
-const ROD: Shape = Shape::Cylinder { radius: 0.3, half_height: 0.5 };
-const SMALL: Shape = Shape::Cylinder { radius: 0.2, half_height: 0.4 };
+pub(super) const ROD: Shape = Shape::Cylinder { radius: 0.3, half_height: 0.5 };
+pub(super) const SMALL: Shape = Shape::Cylinder { radius: 0.2, half_height: 0.4 };
 /// Wide and low.
-const FLAT: Shape = Shape::Cylinder { radius: 0.6, half_height: 0.1 };
-const PILL: Shape = Shape::Capsule { radius: 0.2, half_height: 0.4 };
+pub(super) const FLAT: Shape = Shape::Cylinder { radius: 0.6, half_height: 0.1 };
+pub(super) const PILL: Shape = Shape::Capsule { radius: 0.2, half_height: 0.4 };
 /// Its upper face is at z = 0.2 m.
-const SLAB: Shape = Shape::Box { half_extents: [0.4, 0.6, 0.2] };
+pub(super) const SLAB: Shape = Shape::Box { half_extents: [0.4, 0.6, 0.2] };
 /// An edge along x is uppermost when it is turned about x by π/4, at √2 times 0.2 m.
-const BEAM: Shape = Shape::Box { half_extents: [0.4, 0.2, 0.2] };
+pub(super) const BEAM: Shape = Shape::Box { half_extents: [0.4, 0.2, 0.2] };
 const RIDGE: f64 = 0.2 * std::f64::consts::SQRT_2;
 const UPRIGHT: [f64; 3] = [0.0; 3];
 const ALONG_X: [f64; 3] = [0.0, FRAC_PI_2, 0.0];
@@ -27,13 +27,13 @@ const ALONG_Y: [f64; 3] = [FRAC_PI_2, 0.0, 0.0];
 /// Gaps on both sides of touching \[m\].
 const SIDES: [f64; 2] = [-1.0 / 1024.0, 1.0 / 1024.0];
 
-fn pose((place, turn): Place, world: &Pose) -> Pose {
+pub(super) fn pose((place, turn): Place, world: &Pose) -> Pose {
     let quaternion = world.quaternion * UnitQuaternion::from_scaled_axis(Vector3::from(turn));
     Pose { centre: world.world(place.into()), quaternion, rotation: *quaternion.to_rotation_matrix().matrix() }
 }
 
 /// Where nothing is turned, and five other ways to look at it.
-fn worlds() -> Vec<Pose> {
+pub(super) fn worlds() -> Vec<Pose> {
     let mut numbers = Numbers(21);
     let mut vector = |size: f64| Vector3::from_fn(|_, _| numbers.next() * size);
     let other: Vec<_> = (0..5).map(|_| (vector(1.0), UnitQuaternion::from_scaled_axis(vector(3.0)))).collect();
@@ -41,7 +41,7 @@ fn worlds() -> Vec<Pose> {
     all.map(|(centre, quaternion)| Pose { centre, quaternion, rotation: *quaternion.to_rotation_matrix().matrix() }).collect()
 }
 
-fn touches([own, other]: [Shape; 2], [first, second]: [Place; 2], world: &Pose) -> Vec<Touch> {
+pub(super) fn touches([own, other]: [Shape; 2], [first, second]: [Place; 2], world: &Pose) -> Vec<Touch> {
     let mut found = Touches::default();
     pair_touches(&own, &pose(first, world), &other, &pose(second, world), &mut found);
     found.list
@@ -194,6 +194,51 @@ fn a_capsule_whose_segment_is_in_a_cylinder_leaves_by_the_rim_that_it_passes() {
 }
 
 #[test]
+fn a_capsule_touches_a_box_with_its_ends_and_beside_edges_and_corners() {
+    let at = |first: Place, turn: [f64; 3], expected: &[[f64; 2]]| lands([PILL, SLAB], [first, ([0.0; 3], turn)], expected);
+    at(([0.1, 0.05, 0.8], UPRIGHT), UPRIGHT, &[[0.1, 0.05]]);
+    at(([0.1, 0.05, 0.4], ALONG_Y), UPRIGHT, &[[0.1, -0.35], [0.1, 0.45]]);
+    at(([0.0, 0.3, 0.4], ALONG_Y), UPRIGHT, &[[0.0, -0.1], [0.0, 0.6]]);
+    // along an edge that is as far out as the axis
+    at(([0.4, 0.05, 0.4], ALONG_Y), UPRIGHT, &[[0.4, -0.35], [0.4, 0.45]]);
+    // across a box that is narrower than it is long
+    let narrow = Shape::Box { half_extents: [0.3, 0.6, 0.2] };
+    lands([PILL, narrow], [([0.0, 0.1, 0.4], ALONG_X), ([0.0; 3], UPRIGHT)], &[[0.3, 0.1], [-0.3, 0.1]]);
+    // on a ridge, across it and along it
+    let on_ridge = |place: [f64; 3], turn: [f64; 3], expected: &[[f64; 2]]| {
+        lands([PILL, BEAM], [(place, turn), ([0.0; 3], [FRAC_PI_4, 0.0, 0.0])], expected);
+    };
+    on_ridge([0.05, 0.0, RIDGE + 0.2], ALONG_Y, &[[0.05, 0.0]]);
+    on_ridge([0.1, 0.0, RIDGE + 0.2], ALONG_X, &[[-0.3, 0.0], [0.4, 0.0]]);
+    // on a corner: the diagonal of a cube points up
+    let up = UnitQuaternion::rotation_between(&Vector3::new(1.0, 1.0, 1.0), &Vector3::z()).expect("not opposite").scaled_axis();
+    let cube = Shape::Box { half_extents: [0.2; 3] };
+    lands([PILL, cube], [([0.1, 0.0, 0.2 * 3f64.sqrt() + 0.2], ALONG_X), ([0.0; 3], up.into())], &[[0.0, 0.0]]);
+}
+
+#[test]
+fn a_capsule_whose_segment_is_in_a_box_leaves_by_the_edges_that_it_passes() {
+    // the axis along the face, 0.05 m under it, on it and over it, beyond both sides of the box
+    let narrow = Shape::Box { half_extents: [0.3, 0.6, 0.2] };
+    for (height, gap) in [(-0.05, -0.25), (0.0, -0.2), (0.05, -0.15)] {
+        let found = touches([PILL, narrow], [([0.0, 0.1, 0.2 + height], ALONG_X), ([0.0; 3], UPRIGHT)], &worlds()[0]);
+        let slack = rounding(64, 1.0);
+        let upward = |touch: &Touch| (touch.normal - Vector3::z()).norm() <= slack && (touch.gap - gap).abs() <= slack;
+        assert!(found.len() == 2 && found.iter().all(upward), "{height}: {found:?}");
+    }
+    // through an upper edge, both ends outside: of the other edges that it passes within the box none is deep
+    let block = Shape::Box { half_extents: [0.25, 0.6, 0.5] };
+    let (deep, across) = (0.1, [0.0, -FRAC_PI_4, 0.0]);
+    let place = [0.25 - deep * FRAC_1_SQRT_2, 0.0, 0.5 - deep * FRAC_1_SQRT_2];
+    let found = touches([PILL, block], [(place, across), ([0.0; 3], UPRIGHT)], &worlds()[0]);
+    let outward = Vector3::new(FRAC_1_SQRT_2, 0.0, FRAC_1_SQRT_2);
+    let slack = rounding(64, 1.0);
+    let passed = |touch: &Touch| (touch.normal - outward).norm() <= slack && (touch.gap + 0.2 + deep).abs() <= slack;
+    let deepest: Vec<_> = found.iter().filter(|touch| touch.gap < 0.0).collect();
+    assert!(deepest.len() == 1 && passed(deepest[0]), "{found:?}");
+}
+
+#[test]
 fn bodies_diagonally_apart_are_as_far_as_their_nearest_points() {
     for world in worlds() {
         let nearest = |shapes: [Shape; 2], first: Place, second: Place| {
@@ -206,145 +251,6 @@ fn bodies_diagonally_apart_are_as_far_as_their_nearest_points() {
         assert!((rims - 0.5).abs() <= rounding(64, 2.0), "{rims}");
         let edge = nearest([ROD, SLAB], ([0.0, 1.2, 1.1], ALONG_X), ([0.0; 3], UPRIGHT));
         assert!((edge - (0.6f64.hypot(0.9) - 0.3)).abs() <= rounding(64, 2.0), "{edge}");
-    }
-}
-
-/// The pairs that are met at random.
-const PAIRS: [[Shape; 2]; 6] = [[ROD, SLAB], [ROD, SMALL], [SMALL, FLAT], [SMALL, BEAM], [PILL, ROD], [PILL, FLAT]];
-
-fn anywhere(numbers: &mut Numbers, distance: f64) -> Place {
-    let mut vector = |size: f64| std::array::from_fn(|_| numbers.next() * size);
-    (vector(distance), vector(3.0))
-}
-
-fn library(shape: Shape, (place, turn): Place) -> (Box<dyn parry3d_f64::shape::Shape>, parry3d_f64::math::Pose) {
-    use parry3d_f64::math::{Pose as Isometry, Rotation, Vector};
-    use parry3d_f64::shape::{Capsule, Cuboid, Cylinder};
-    let turn = UnitQuaternion::from_scaled_axis(Vector3::from(turn));
-    // the library's cylinders are along y, and so is this capsule
-    let upright = UnitQuaternion::from_scaled_axis(Vector3::x() * FRAC_PI_2);
-    let (shape, turn): (Box<dyn parry3d_f64::shape::Shape>, _) = match shape {
-        Shape::Cylinder { radius, half_height } => (Box::new(Cylinder::new(half_height, radius)), turn * upright),
-        Shape::Capsule { radius, half_height } => (Box::new(Capsule::new_y(half_height, radius)), turn * upright),
-        Shape::Box { half_extents: [a, b, c] } => (Box::new(Cuboid::new(Vector::new(a, b, c))), turn),
-        other => panic!("{other:?}"),
-    };
-    let rotation = Rotation::from_xyzw(turn.i, turn.j, turn.k, turn.w).normalize();
-    (shape, Isometry::from_parts(Vector::new(place[0], place[1], place[2]), rotation))
-}
-
-/// max n·y over the body about its centre, from the points of a rim or of an end, and from the corners.
-fn reaches(shape: Shape, rotation: &Matrix3<f64>, normal: &Vector3<f64>) -> f64 {
-    let own = rotation.tr_mul(normal);
-    match shape {
-        Shape::Cylinder { radius, half_height } => radius * own.x.hypot(own.y) + half_height * own.z.abs(),
-        Shape::Capsule { radius, half_height } => radius + half_height * own.z.abs(),
-        Shape::Box { half_extents: [a, b, c] } => a * own.x.abs() + b * own.y.abs() + c * own.z.abs(),
-        other => panic!("{other:?}"),
-    }
-}
-
-/// The largest s(n), looked for by trying ever smaller changes of the best of many directions.
-fn least_overlap(shapes: [Shape; 2], places: [Place; 2], numbers: &mut Numbers) -> f64 {
-    let poses = places.map(|place| pose(place, &worlds()[0]));
-    let apart = poses[0].centre - poses[1].centre;
-    let separation = |n: &Vector3<f64>| {
-        let n = n.normalize();
-        n.dot(&apart).abs() - (0..2).map(|body| reaches(shapes[body], &poses[body].rotation, &n)).sum::<f64>()
-    };
-    let mut vector = |size: f64| Vector3::from_fn(|_, _| numbers.next() * size);
-    let mut starts: Vec<Vector3<f64>> = (0..400).map(|_| vector(1.0)).collect();
-    starts.sort_by(|one, other| separation(other).total_cmp(&separation(one)));
-    let climb = |start: &Vector3<f64>, vector: &mut dyn FnMut(f64) -> Vector3<f64>| {
-        let (mut best, mut size) = (start.normalize(), 0.2);
-        while size > SAME_POINT {
-            let better = (0..24).map(|_| (best + vector(size)).normalize()).find(|n| separation(n) > separation(&best));
-            match better {
-                Some(n) => best = n,
-                None => size *= 0.5,
-            }
-        }
-        separation(&best)
-    };
-    starts[..6].iter().map(|start| climb(start, &mut vector)).fold(f64::NEG_INFINITY, f64::max)
-}
-
-#[test]
-fn the_nearest_candidate_is_the_distance_of_bodies_apart_and_the_least_overlap_of_others() {
-    let mut numbers = Numbers(22);
-    let (mut apart, mut together) = (0, 0);
-    for shapes in PAIRS {
-        for _ in 0..80 {
-            let places = [anywhere(&mut numbers, 0.6), anywhere(&mut numbers, 0.2)];
-            let found = touches(shapes, places, &worlds()[0]);
-            let nearest = found.iter().map(|touch| touch.gap).fold(f64::INFINITY, f64::min);
-            let [one, other] = [0, 1].map(|body| library(shapes[body], places[body]));
-            let distance = parry3d_f64::query::distance(&one.1, one.0.as_ref(), &other.1, other.0.as_ref()).expect("supported").distance;
-            let told = format!("{shapes:?} at {places:?}");
-            // the library's iteration ends at about √ε of the size
-            let slack = f64::EPSILON.sqrt();
-            if distance > slack {
-                assert!(nearest >= distance * (1.0 - BESIDE) - slack, "{nearest} at distance {distance}: {told}");
-                assert!(nearest <= distance * (1.0 + BESIDE) + slack, "{nearest} at distance {distance}: {told}");
-                apart += 1;
-            } else {
-                let overlap = least_overlap(shapes, places, &mut numbers);
-                let climbed = 64.0 * SAME_POINT;
-                assert!(nearest <= overlap * (1.0 - BESIDE) + climbed, "{nearest} although they overlap by {overlap}: {told}");
-                assert!(nearest >= overlap / FACING - climbed, "{nearest} although they overlap by {overlap} only: {told}");
-                together += 1;
-            }
-        }
-    }
-    assert!(apart > 80 && together > 80, "{apart} apart, {together} together");
-}
-
-fn bodies(shapes: [Shape; 2]) -> SpatialBodies {
-    let [first, second] = [("a", shapes[0]), ("b", shapes[1])].map(|(name, shape)| SpatialBody::solid(name, shape, 2.0).expect("valid"));
-    SpatialBodies::without_ground("pair", vec![first, second], [0.0; 3], Materials::new(0.5, 0.0).expect("valid")).expect("valid")
-}
-
-/// How many candidates keep their features, and how many have another rate than their rows say; `seen` chooses the points of the rows.
-fn wrong_rates(shapes: [Shape; 2], seen: impl Fn(&Touch) -> [Vector3<f64>; 2]) -> [usize; 2] {
-    let (mechanism, mut numbers, h) = (bodies(shapes), Numbers(23), DIFFERENCE_STEP);
-    let (mut compared, mut wrong) = (0, 0);
-    for _ in 0..300 {
-        let places = [anywhere(&mut numbers, 0.6), anywhere(&mut numbers, 0.2)];
-        let part = |(place, turn): Place| {
-            let turn = UnitQuaternion::from_scaled_axis(Vector3::from(turn));
-            [place[0], place[1], place[2], turn.w, turn.i, turn.j, turn.k]
-        };
-        let q = DVector::from_iterator(14, places.into_iter().flat_map(part));
-        let v = DVector::from_fn(12, |_, _| numbers.next());
-        let [now, after, before] = [0.0, h, -h].map(|h| mechanism.candidates(&mechanism.integrate(&q, &v, h), f64::INFINITY, &seen));
-        for contact in now {
-            let place = contact.place.expect("bodies have places");
-            let same = |list: &[Contact]| {
-                let found = list.iter().find(|other| other.place.is_some_and(|other| other.is_same(&place)));
-                found.map(|found| (found.gap, (&found.jacobian * &v)[0]))
-            };
-            let (Some(after), Some(before)) = (same(&after), same(&before)) else { continue };
-            // a gap has a kink where a nearest feature changes, and bends sharply where edges cross at a small angle
-            let bend = (after.1 - before.1).abs();
-            if bend > 1024.0 * h {
-                continue;
-            }
-            let measured = (after.0 - before.0) / (2.0 * h);
-            compared += 1;
-            wrong += usize::from((measured - (&contact.jacobian * &v)[0]).abs() > bend + central_difference(v.norm(), 2.0));
-        }
-    }
-    [compared, wrong]
-}
-
-#[test]
-fn gaps_change_as_the_rows_say_and_not_as_rows_at_other_points_say() {
-    for shapes in [PAIRS[0], PAIRS[1], PAIRS[2], [PILL, ROD], [SLAB, ROD], [ROD, PILL]] {
-        let [compared, wrong] = wrong_rates(shapes, |touch| touch.seen);
-        assert!(compared > 300 && wrong == 0, "{shapes:?}: {wrong} of {compared}");
-        let aside = |touch: &Touch| touch.points.map(|point| point + Vector3::new(0.01, 0.02, 0.03));
-        let [compared, wrong] = wrong_rates(shapes, aside);
-        assert!(2 * wrong > compared, "{shapes:?}: {wrong} of {compared}");
     }
 }
 
@@ -361,33 +267,6 @@ fn parallel_faces_share_one_normal_and_one_plane_and_others_do_not() {
                 let same = found.len() >= 4 && found.iter().all(|touch| touch.normal == first && touch.seen[0] == touch.seen[1]);
                 assert_eq!(same, shared, "{shapes:?}, {part} θ₀: {found:?}");
             }
-        }
-    }
-}
-
-#[test]
-fn exchanging_two_cylinders_turns_the_normals_round() {
-    let mut numbers = Numbers(25);
-    for _ in 0..200 {
-        let places = [anywhere(&mut numbers, 0.6), anywhere(&mut numbers, 0.2)];
-        let nearest = |shapes: [Shape; 2], places: [Place; 2]| {
-            let found = touches(shapes, places, &worlds()[0]);
-            found.into_iter().min_by(|one, other| one.gap.total_cmp(&other.gap)).expect("a candidate")
-        };
-        let (one, other) = (nearest([ROD, SMALL], places), nearest([SMALL, ROD], [places[1], places[0]]));
-        let bound = rounding(1024, 2.0) / crate::tolerance::mechanics::PARALLEL;
-        assert!((one.gap - other.gap).abs() <= bound && (one.normal + other.normal).norm() <= bound.sqrt(), "{one:?} against {other:?}");
-    }
-}
-
-#[test]
-fn there_are_never_more_candidates_than_room_is_made_for() {
-    let mut numbers = Numbers(26);
-    for shapes in PAIRS.into_iter().chain([[PILL, PILL]]) {
-        let most = bodies(shapes).most_candidates().expect("known");
-        for _ in 0..200 {
-            let found = touches(shapes, [anywhere(&mut numbers, 0.6), anywhere(&mut numbers, 0.2)], &worlds()[0]);
-            assert!(found.len() <= most && !found.is_empty(), "{} of {most}: {shapes:?}", found.len());
         }
     }
 }

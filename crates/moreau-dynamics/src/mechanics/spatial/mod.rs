@@ -21,6 +21,7 @@ mod cylinders;
 mod faces;
 mod features;
 mod gyroscopic;
+mod manifold;
 mod round;
 mod search;
 mod shape;
@@ -47,8 +48,9 @@ use nalgebra::{DMatrix, DVector, Matrix3, UnitQuaternion, Vector3};
 
 /// Candidates of two boxes at most: corners over faces, and crossings of the edges of two faces.
 const MOST_TOUCHES: usize = 16;
-/// Candidates of a pair with a capsule at most: its ends, and its segment beside the corners and edges of a box.
-const MOST_OF_CAPSULES: usize = 22;
+/// Candidates of a pair with a capsule at most, a box's: its ends over a face and as balls, its side at eight corners and twelve edges, and
+/// the nearest points.
+const MOST_OF_CAPSULES: usize = 2 + 2 + 8 + 12 + 1;
 /// Candidates of a cylinder with the ground at most: the lowest point of each rim, and four that turn with it.
 const MOST_OF_CYLINDERS: usize = 10;
 /// Candidates of a pair with a cylinder at most, a box's: ten points of the rims over a face, eight corners over a face or beside the side,
@@ -371,6 +373,8 @@ impl Mechanism for SpatialBodies {
 mod cylinder_tests;
 #[cfg(test)]
 mod face_tests;
+#[cfg(test)]
+mod manifold_tests;
 #[cfg(test)]
 mod motion_tests;
 #[cfg(test)]

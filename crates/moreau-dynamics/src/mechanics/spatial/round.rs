@@ -7,10 +7,10 @@
 //!     plane       capsule:  φ = n·(x ± l a) − c − r
 //!                 cylinder: φ = n·(x ± l a) − c − r ‖(1 − a aᵀ) n‖            the lowest point of either rim
 //!     sphere      φ = distance of its centre from the segment, or from the cylinder, less the radii
-//!     box         the ends of a capsule as spheres, and its segment beside the edges and corners of the box
+//!     box         the ends of a capsule as spheres, and its side at the edges and corners of the box, see `manifold`
 //!     capsules    the ends of each as spheres at the other, and the inner points where the segments pass each other
 //! ```
-//! Cylinders at boxes, capsules and each other are in `cylinders`.
+//! Cylinders at boxes, capsules and each other are in `cylinders`, what a pair with a box or a cylinder touches with in `manifold`.
 //!
 //! Every gap is a distance between features of the two bodies, extremal where a feature is curved or an edge: its derivative is
 //! n · (v_first − v_second) at the two points. And every one is at least as large as the distance of the bodies: several
@@ -20,7 +20,10 @@
 //! by less than [`STANDING`]; one that leans more rolls on its lowest point, and a point of the rim that comes down beside it must not
 //! brake it.
 
+use super::circles::Passage;
+use super::manifold::{Meeting, SIDE, collect};
 use super::shape::{Pose, corners};
+use super::solids::{Cores, Edge, Solid, Widest, edges};
 use super::spheres::sphere_box;
 use super::touch::{Touch, direction};
 use crate::mechanics::Plane;
@@ -135,35 +138,25 @@ pub(super) fn capsules(first: Rod, second: Rod, touches: &mut Vec<Touch>) {
     }
 }
 
-/// A capsule at a box; normals point to the capsule.
+/// A capsule at a box: its ends as balls, and its side at the corners and edges; normals point to the capsule.
 pub(super) fn capsule_box(capsule: Rod, half_extents: [f64; 3], cuboid: &Pose, touches: &mut Vec<Touch>) {
-    for (side, end) in (0..).zip(capsule.ends()) {
-        let touch = sphere_box(capsule.radius, &end, half_extents, cuboid);
-        touches.push(Touch { features: [side, 0], ..touch });
-    }
-    let corners = corners(half_extents);
-    let mut beside = |on_capsule: Vector3<f64>, on_box: Vector3<f64>, feature: u32| {
-        let (distance, normal) = direction(on_box, on_capsule);
-        // a segment that has come through the surface is on the inner side of it
-        let inside = cuboid.body(on_capsule).abs() < Vector3::from(half_extents);
-        let (distance, normal) = if inside { (-distance, -normal) } else { (distance, normal) };
-        let gap = distance - capsule.radius;
-        touches.push(Touch::new(gap, normal, [on_capsule - normal * capsule.radius, on_box], [2, feature]));
-    };
-    for (k, corner) in (0..8).zip(corners) {
-        let corner = cuboid.world(corner);
-        let (middle, inner) = capsule.nearest(&corner);
-        if inner {
-            beside(middle, corner, k);
+    let solids = [Solid::Capsule(capsule), Solid::Box(half_extents, cuboid)];
+    let radius = capsule.radius;
+    let ends = (0..).zip(capsule.ends()).map(|(side, end)| {
+        let Touch { normal, points, .. } = sphere_box(0.0, &end, half_extents, cuboid);
+        Meeting { cores: Cores { points: [end, points[1]], radii: [radius, 0.0] }, normal: Some(normal), features: [side, 0] }
+    });
+    let corners = (0..).zip(corners(half_extents).map(|corner| cuboid.world(corner)));
+    let beside = corners.filter(|(_, corner)| capsule.nearest(corner).1);
+    let mut meetings: Vec<Meeting> =
+        ends.chain(beside.map(|(number, corner)| Meeting::side_ball(&capsule, &corner, 0.0, number))).collect();
+    for Edge { ends, feature } in edges(half_extents, cuboid) {
+        if let Some(points) = crossing(capsule.ends(), ends) {
+            let passage = Passage { points, tangents: [capsule.axis(), direction(ends[0], ends[1]).1] };
+            meetings.push(Meeting::of(passage, [radius, 0.0], [SIDE, feature]));
         }
     }
-    // the corners of an edge differ in one bit
-    for (k, bit) in (0..8usize).flat_map(|k| [1, 2, 4].map(|bit| (k, bit))).filter(|(k, bit)| k & bit == 0) {
-        let edge = [corners[k], corners[k | bit]].map(|corner| cuboid.world(corner));
-        if let Some([a, b]) = crossing(capsule.ends(), edge) {
-            beside(a, b, (8 + 8 * bit + k) as u32);
-        }
-    }
+    collect(solids, Widest::of(&solids), &meetings, touches);
 }
 
 /// The nearest points of two segments, if both are between the ends and the segments are not parallel.
