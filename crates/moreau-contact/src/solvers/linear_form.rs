@@ -7,6 +7,7 @@
 //!     edges             polyhedral associated      M = Gᵀ(W + R)G + R_edge, columns n + μ Dⱼ; associated in the plane
 //! ```
 
+use super::parts::is_frictionless;
 use crate::cones::polyhedral;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Lcp, Solution};
 use moreau_exact::doubled::residual;
@@ -27,10 +28,10 @@ impl Form {
     /// # Errors
     /// [`Error::Solver`] in the name of a solver if its law is not linear.
     pub(super) fn of(problem: &ContactProblem, solver: &str) -> Result<Form> {
-        let without_friction = problem.friction().iter().all(|mu| *mu == 0.0);
+        if is_frictionless(problem) {
+            return Ok(Form::Normals);
+        }
         match (problem.law(), problem.rows_per_contact()) {
-            (Law::Frictionless, _) => Ok(Form::Normals),
-            (Law::Coulomb | Law::Associated, _) if without_friction => Ok(Form::Normals),
             (Law::PolyhedralCoulomb { directions }, _) => Ok(Form::StewartTrinkle { directions }),
             (Law::Coulomb, 2) => Ok(Form::StewartTrinkle { directions: 2 }),
             (Law::PolyhedralAssociated { directions }, _) => Ok(Form::Edges { directions }),
@@ -47,10 +48,10 @@ impl Form {
     /// # Errors
     /// [`Error::Solver`] in the name of a solver for such problems alone.
     pub(super) fn frictionless(problem: &ContactProblem, solver: &str) -> Result<Form> {
-        match problem.law() {
-            Law::Frictionless => Ok(Form::Normals),
-            law => Err(Error::refused(solver, format!("is for the law `frictionless`, this is `{}`", law.name()))),
+        if is_frictionless(problem) {
+            return Ok(Form::Normals);
         }
+        Err(Error::refused(solver, format!("is for the law `frictionless`, this is `{}` with friction", problem.law().name())))
     }
 
     /// G: unknown impulses ↦ r.

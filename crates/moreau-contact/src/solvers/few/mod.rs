@@ -2,7 +2,7 @@
 //! for.
 //!
 //! ```text
-//!     frictionless   Newton-min, then Lemke's path, over a support: M_αα z_α = −q_α                  (`normals`, `path`)
+//!     no friction    Newton-min, then Lemke's path, over a support: M_αα z_α = −q_α                  (`normals`, `path`)
 //!     Coulomb        a few sweeps, then Newton's method on the contacts that press                   (`friction`, `newton`)
 //! ```
 //! What is returned meets the certificate's residual; where nothing does, nothing is returned, and the longer chain begins from the same
@@ -17,6 +17,7 @@ mod parts;
 mod path;
 mod rows;
 
+use super::parts::is_frictionless;
 use crate::problem::{ContactProblem, Law, Solution};
 use nalgebra::DVector;
 use parts::MOST;
@@ -29,7 +30,7 @@ pub(super) fn solve(problem: &ContactProblem, start: Option<&DVector<f64>>, stop
         return None;
     }
     match (problem.law(), problem.rows_per_contact()) {
-        (Law::Frictionless, _) => normals::solve(problem, start, enough),
+        _ if is_frictionless(problem) => normals::solve(problem, start, enough),
         (Law::Coulomb, 2) => friction::solve::<2>(problem, start, stop, enough),
         (Law::Coulomb, 3) => friction::solve::<3>(problem, start, stop, enough),
         _ => None,

@@ -52,6 +52,30 @@ fn a_definite_problem_without_friction_has_the_answer_of_principal_pivoting_and_
         let blocks = BlockSparse::from_sparse(&Sparse::of(problem.dense()), 1).expect("one row each");
         let stored = problem.clone().into_builder().delassus(blocks).build().expect("the same numbers");
         assert_eq!(solved(&stored).expect("the same numbers").impulse, found.impulse, "{trial}");
+        for law in [Law::Coulomb, Law::Associated] {
+            let rubs_nowhere = problem.clone().into_builder().law(law).friction(vec![0.0; n]).build().expect("valid");
+            assert_eq!(solved(&rubs_nowhere).expect("the same law").impulse, found.impulse, "{trial}");
+        }
+    }
+}
+
+#[test]
+fn contacts_that_nothing_rubs_are_answered_alike_under_every_round_law() {
+    let mut numbers = Numbers(7);
+    for contacts in [1, 3, MOST, MOST + 1] {
+        let (matrix, free) = (numbers.definite(3 * contacts, 0.0), DVector::from_fn(3 * contacts, |_, _| numbers.next()));
+        let [without, coulomb, associated] = [Law::Frictionless, Law::Coulomb, Law::Associated].map(|law| {
+            let problem = ContactProblem::new(matrix.clone(), free.clone()).law(law).friction(vec![0.0; contacts]).build().expect("valid");
+            Auto.solve(&problem, None).expect("positive definite").impulse
+        });
+        // more are swept first, under each law in its own way
+        let apart = if contacts <= MOST { 0.0 } else { CERTIFY };
+        assert!([coulomb, associated].iter().all(|found| (found - &without).amax() <= apart), "{contacts}");
+        let matrix = matrix.map(|entry| 0.125 * entry);
+        let mut rubbing = vec![0.0; contacts];
+        rubbing[contacts - 1] = 0.5;
+        let problem = ContactProblem::new(matrix, free).law(Law::Associated).friction(rubbing).build().expect("valid");
+        assert!(!is_frictionless(&problem), "one contact rubs");
     }
 }
 

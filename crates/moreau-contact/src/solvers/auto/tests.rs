@@ -1,0 +1,126 @@
+//! The chain as a whole: what opens by itself, islands, and an accuracy that is asked for.
+
+use super::*;
+use crate::certificate::residuals;
+use crate::problem::Compliance;
+use nalgebra::{DMatrix, dvector};
+
+#[test]
+fn contacts_that_open_by_themselves_are_answered_without_an_algorithm() {
+    for (law, opens, closes) in [
+        (Law::Coulomb, dvector![0.0, 2.0, 0.0], dvector![-1e-300, 2.0, 0.0]),
+        (Law::Associated, dvector![1.0, 2.0, 0.0], dvector![0.99, 2.0, 0.0]),
+        (Law::PolyhedralAssociated { directions: 4 }, dvector![1.0, 2.0, 0.0], dvector![0.99, 2.0, 0.0]),
+    ] {
+        let problem = |free| ContactProblem::new(DMatrix::identity(3, 3), free).law(law).friction(vec![0.5]).build().unwrap();
+        let answer = Auto.solve(&problem(opens.clone()), None).unwrap();
+        assert_eq!((answer.impulse.amax(), answer.iterations), (0.0, 0), "{law:?}");
+        assert_eq!(residuals(&problem(opens), &answer).unwrap().judged.relative(), 0.0, "{law:?}");
+        assert!(!opens_everywhere(&problem(closes)), "{law:?}");
+    }
+}
+
+/// `count` chains of five rows each that meet no other chain, and as many rows alone, mixed: the chains are ever harder.
+fn chains(count: usize) -> ContactProblem {
+    let n = 6 * count;
+    let w = DMatrix::from_fn(n, n, |i, j| match (i / count, j / count) {
+        _ if i % count != j % count => 0.0,
+        (a, b) if a == b => 2.0 + 0.01 * (i % count) as f64,
+        (a, b) if a.abs_diff(b) == 1 && a.max(b) < 5 => -1.0,
+        _ => 0.0,
+    });
+    let free = DVector::from_fn(n, |i, _| if i % 7 == 3 { 0.3 } else { -1.0 - 0.1 * (i % 5) as f64 });
+    let blocks = crate::operator::BlockSparse::from_sparse(&crate::operator::Sparse::of(&w), 1).unwrap();
+    ContactProblem::new(blocks, free).rows_per_contact(1).friction(vec![0.0; n]).build().unwrap()
+}
+
+#[test]
+fn islands_are_answered_by_themselves_and_together_solve_the_whole() {
+    let problem = chains(8);
+    let goal = Goal { stop: STOP, enough: ENOUGH, acceptable: ACCEPTABLE };
+    let by_islands = islands(&problem, None, goal).expect("nine islands, one of them of eight rows alone");
+    let whole = stages_in_turn(&problem, None, goal).unwrap().1;
+    for answer in [&by_islands, &whole, &Auto.solve(&problem, None).unwrap()] {
+        assert!(residuals(&problem, answer).unwrap().is_solution(1e-12), "{}", answer.solver);
+    }
+    assert!((&by_islands.velocity - &whole.velocity).amax() <= CERTIFY, "W is positive definite: one velocity");
+    let dense = problem.clone().into_builder().delassus(problem.dense().clone()).build().unwrap();
+    assert_eq!(islands(&dense, None, goal).unwrap().impulse, by_islands.impulse, "the same numbers in a square matrix");
+    let one = chains(1).into_builder().delassus(DMatrix::identity(6, 6)).build().unwrap();
+    let joined = one.clone().into_builder().delassus(DMatrix::identity(6, 6) + DMatrix::from_element(6, 6, 1.0)).build().unwrap();
+    assert!(islands(&one, None, goal).is_some() && islands(&joined, None, goal).is_none());
+}
+
+/// Contacts of 1 kg each that meet no other and close at 1 m/s; what no impulse moves closes or opens at this speed.
+fn beside_massless(n: usize, speed: f64) -> ContactProblem {
+    let w = DMatrix::from_fn(3 * n, 3 * n, |i, j| f64::from(i == j && i / 3 != 1));
+    let free = DVector::from_fn(3 * n, |i, _| match (i / 3, i % 3) {
+        (1, 0) => speed,
+        (_, 0) => -1.0,
+        (_, other) => 0.4 * other as f64,
+    });
+    ContactProblem::new(w, free).friction(vec![0.5; n]).build().unwrap()
+}
+
+#[test]
+fn a_contact_that_nothing_moves_leaves_the_others_their_answers() {
+    for n in [3, 40] {
+        let opens = beside_massless(n, 0.25);
+        let answer = Auto.solve(&opens, None).unwrap();
+        assert!(residuals(&opens, &answer).unwrap().is_solution(CERTIFY), "{n}: {}", answer.solver);
+        let closes = beside_massless(n, -0.25);
+        let answer = Auto.solve(&closes, None).unwrap();
+        let judged = residuals(&closes, &answer).unwrap().judged;
+        assert!(!judged.accepts(CERTIFY) && judged.dual.contact == 1);
+        for k in (0..n).filter(|k| *k != 1) {
+            assert_eq!(answer.impulse[3 * k], 1.0, "{n}: contact {k}");
+        }
+    }
+}
+
+#[test]
+fn an_island_is_the_problem_of_its_contacts() {
+    let problem = chains(4);
+    let islands = problem.islands();
+    assert_eq!(islands.members.iter().map(<[usize]>::len).collect::<Vec<_>>(), [5, 5, 5, 5, 4]);
+    for members in islands.members.iter() {
+        let island = problem.island(islands, members);
+        let (known, found) = (island.islands(), Islands::of(island.delassus(), members.len()));
+        assert_eq!((&known.members, &known.first, known.last_is_of_lone), (&found.members, &found.first, found.last_is_of_lone));
+        for (place, k) in members.iter().enumerate() {
+            assert_eq!((island.free_velocity()[place], island.friction()[place]), (problem.free_velocity()[*k], problem.friction()[*k]));
+            for (other, j) in members.iter().enumerate() {
+                assert_eq!(island.entry(place, other), problem.entry(*k, *j));
+            }
+        }
+    }
+}
+
+#[test]
+fn open_contacts_with_a_compliance_on_edges_are_answered_with_the_impulses_of_the_edges() {
+    let law = Law::PolyhedralAssociated { directions: 4 };
+    let compliance = Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(4, 1.0) };
+    let problem = ContactProblem::new(DMatrix::identity(3, 3), dvector![1.0, 0.0, 0.0]).law(law).friction(vec![0.5]);
+    let problem = problem.compliance(compliance).build().unwrap();
+    let answer = Auto.solve(&problem, None).unwrap();
+    assert!(residuals(&problem, &answer).unwrap().is_solution(0.0), "{answer:?}");
+}
+
+#[test]
+fn an_accuracy_that_is_asked_for_is_reached_and_no_more() {
+    let n = 40;
+    let chain = DMatrix::from_fn(n, n, |i, j| {
+        if i == j {
+            2.0
+        } else if i.abs_diff(j) == 1 {
+            -1.0
+        } else {
+            0.0
+        }
+    });
+    let problem = ContactProblem::new(chain, DVector::from_element(n, -1.0)).rows_per_contact(1).build().unwrap();
+    let rough = AutoWithin { tolerance: 0.5 }.solve(&problem, None).unwrap();
+    let fine = AutoWithin { tolerance: 1e-12 }.solve(&problem, None).unwrap();
+    let relative = |answer| residuals(&problem, answer).unwrap().judged.relative();
+    assert!(relative(&rough) <= 0.5 && relative(&fine) <= 1e-12 && rough.iterations < fine.iterations);
+}
