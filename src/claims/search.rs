@@ -1,12 +1,13 @@
 //! Claims by the words that they have.
 
-use super::{Claim, title};
+use super::{Claim, PLACES, title};
 use crate::checks::text::folded;
 
-/// Whether a claim has all of these words, as a keyboard types them: in its id, its title, its statement, its correction or its
-/// sources.
+/// Whether a claim has all of these words, as a keyboard types them: in its id, its title, its statement, its correction, its
+/// sources, or the words of the chapter that make it and the headings above them.
 pub fn has_words(claim: &Claim, words: &str) -> bool {
-    let places = claim.sources.iter().copied();
+    let chapter = PLACES.of(claim.id).iter().flat_map(|place| [place.heading.as_str(), place.words.as_str()]);
+    let places = claim.sources.iter().copied().chain(chapter);
     let (statement, correct) = (claim.statement(), claim.correct_statement());
     let text: Vec<&str> = [claim.id, title(claim.id), &statement, &correct].into_iter().chain(places).collect();
     let text = folded(&text.join(" "));
@@ -26,6 +27,7 @@ mod tests {
     fn words_are_looked_for_in_titles_and_sources_in_any_case_and_all_of_them_are_asked() {
         assert!(found("zeno").contains(&"S0.tinf") && found("ZENO").contains(&"S0.tinf"));
         assert!(found("stewart-trinkle").contains(&"S4.copos-plus") && found("Painleve") == found("Painlevé"));
+        assert!(found("天然鲁棒").contains(&"S0.zeno-absorb"), "the words of the chapter");
         assert!(found("exercise stone").is_empty() && found("cottle pang").contains(&"S4.cps-thm"));
     }
 }

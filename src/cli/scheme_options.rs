@@ -9,6 +9,7 @@ use crate::schemes::{self, Activation, Bullet, RestitutionRule, Scheme, SchemePa
 use crate::tolerance::limits::SWEEPS;
 use crate::{Error, Result};
 use clap::Parser;
+use clap::error::{ContextKind, ErrorKind};
 
 const MOREAU_JEAN: &str = "Options of moreau-jean and moreau-jean-projection";
 const STEWART_TRINKLE: &str = "Options of stewart-trinkle";
@@ -64,14 +65,24 @@ struct Words {
     options: SchemeOptions,
 }
 
+/// What the parser of words says, as an error with its field.
+fn refused(error: &clap::Error) -> Error {
+    let of = |kind: ContextKind| error.get(kind).map(ToString::to_string);
+    let said = error.to_string().lines().next().unwrap_or_default().trim_start_matches("error: ").to_string();
+    let Some(option) = of(ContextKind::InvalidArg) else { return Error::Unsupported(said) };
+    let field = option.split([' ', '=']).next().unwrap_or_default();
+    let near = of(ContextKind::SuggestedArg).map(|near| format!("did you mean `{near}`?"));
+    let cure = near.unwrap_or_else(|| "`moreau simulate --help` has the options of every scheme".into());
+    Error::invalid(field, if error.kind() == ErrorKind::UnknownArgument { "is no option of a scheme".into() } else { said }, cure)
+}
+
 impl SchemeOptions {
     /// The options of these words, such as `--theta`, `1`.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] where they are no options of a scheme.
+    /// [`Error::Invalid`] names the option that is none, or whose value is none.
     pub fn of_words(words: &[String]) -> Result<Self> {
-        let said = |error: clap::Error| error.to_string().lines().next().unwrap_or_default().trim_start_matches("error: ").to_string();
-        Words::try_parse_from(words).map(|words| words.options).map_err(|error| Error::Unsupported(said(error)))
+        Words::try_parse_from(words).map(|words| words.options).map_err(|error| refused(&error))
     }
 
     /// The scheme with this name and these parameters.

@@ -95,11 +95,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
 fn explain(id: &str, format: Format) -> Result<Answer> {
     let claim = claims::find(id).ok_or_else(|| {
         let is_group = claims::all().any(|claim| matches_group(claim.id, id));
-        let cure = if is_group {
-            format!("this is a group, which `moreau verify --filter {id}` runs")
-        } else {
-            suggestion(id, claims::all().map(|claim| claim.id), "`moreau verify --list` shows every id")
-        };
+        let cure = if is_group { format!("this is a group, which `moreau verify --filter {id}` runs") } else { of_part(id) };
         Error::Unsupported(format!("no claim `{id}`; {cure}"))
     })?;
     let outcome = judge(claim, claims::judge);
@@ -108,6 +104,22 @@ fn explain(id: &str, format: Format) -> Result<Answer> {
         Format::Json => pretty(&ExplanationEntry::from(&outcome))?,
     })?;
     Ok(conclusion(&[outcome]))
+}
+
+/// What to do about a part of an id or of a title: ids that begin so, else those that are spelt nearly so, and where it is a word of claims.
+fn of_part(id: &str) -> String {
+    let begins = |claim: &&Claim| claim.id.to_lowercase().starts_with(&id.to_lowercase());
+    let beginning: Vec<String> = claims::all().filter(begins).take(3).map(|claim| format!("`{}`", claim.id)).collect();
+    let ids = || claims::all().map(|claim| claim.id);
+    let near = match beginning.as_slice() {
+        [] => suggestion(id, ids(), "`moreau verify --list` shows every id"),
+        some => format!("did you mean {}?", some.join(" or ")),
+    };
+    if claims::all().any(|claim| claims::has_words(claim, id)) {
+        format!("{near} `moreau verify --list --search {id}` lists the claims that have this word")
+    } else {
+        near
+    }
 }
 
 /// How a claim is judged.

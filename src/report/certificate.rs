@@ -311,7 +311,8 @@ impl<'a> Certificate<'a> {
             let unit = self.unit(unit);
             let [relative, limit] = [part.relative(), part.limit(self.tolerance)].map(significant);
             let value = with_unit(&significant(part.value), unit);
-            line(format!("  {name:18} {value:16} relative {relative:10} limit {:16} {place} {contact}", with_unit(&limit, unit)));
+            let mark = if part.relative() <= self.tolerance { ' ' } else { '✗' };
+            line(format!("{mark} {name:18} {value:16} relative {relative:10} limit {:16} {place} {contact}", with_unit(&limit, unit)));
         }
         line("norms over all contacts, shown for comparison only:".into());
         for (name, value, unit) in self.residuals.contacts.norms() {
@@ -459,5 +460,8 @@ mod tests {
     fn a_pull_is_no_solution() {
         let (text, accepted) = certificate(-1.0);
         assert!(!accepted && text.ends_with("NOT a solution to the relative tolerance 0.25\n"), "{text}");
+        let marked = |text: &str| text.lines().filter(|line| line.starts_with('✗')).map(str::to_owned).collect::<Vec<_>>();
+        assert!(marked(&text).iter().any(|line| line.starts_with("✗ primal ")), "{text}");
+        assert!(marked(&certificate(1.0).0).is_empty(), "{}", certificate(1.0).0);
     }
 }

@@ -25,7 +25,11 @@ pub fn verify(py: Python<'_>, names: Vec<String>) -> PyResult<String> {
             None => registry::all().filter(|claim| registry::matches_group(claim.id, name)).collect(),
         };
         if found.is_empty() {
-            let error = moreau::Error::invalid("ids", format!("`{name}` is no claim and no group"), "`claims()` has every id");
+            let error = moreau::Error::invalid(
+                "ids",
+                format!("`{name}` is no claim and no group"),
+                "`claims()` has every id, `claims(\"zeno\")` those with a word",
+            );
             return Err(error).python(py);
         }
         asked.extend(found);

@@ -109,9 +109,13 @@ def test_a_script_that_gates_while_it_is_imported_is_told_and_starts_no_chain_of
     assert done.returncode == 0 and "1 pass" in done.stdout, done.stderr
 
 
-def test_an_engine_is_served_and_its_adapter_checked(command, tmp_path):
-    sound, text = mc.protocol_check(Projector)
-    assert "describe" in text and isinstance(sound, bool)
+def test_an_engine_is_served_and_its_adapter_checked(command, monkeypatch, tmp_path):
+    told = mc.protocol_check(Toy)
+    assert told and told.sound and "describe" in str(told), told.text
+    monkeypatch.setenv("TOY_BUG", "1")
+    told = mc.protocol_check(Toy)
+    assert not told and not told.sound and "restitution 0.5 was asked for" in told.text
+    monkeypatch.delenv("TOY_BUG")
     (tmp_path / "served.py").write_text("import moreau_contact as mc\nfrom toy_engine import Toy\nmc.serve(Toy)\n")
     os.environ["PYTHONPATH"] = str(PROJECT)
     try:

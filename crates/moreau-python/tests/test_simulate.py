@@ -18,6 +18,11 @@ def test_free_flight_is_a_parabola():
     assert motion.contacts["sample"].size == 0 and motion.rejected == 0
 
 
+def test_the_calls_of_the_documentation_are_right():
+    motion = mc.simulate("incline-slide", scheme="stewart-trinkle", step=1 / 240)
+    assert motion.body("block")["position"].shape == (len(motion.times), 3)
+
+
 def test_the_motion_is_that_of_the_command(command, tmp_path):
     command("simulate", "--scene", "incline-slide", "--step", "0.01", "--theta", "1", "--out", "theirs.json")
     motion = mc.simulate("incline-slide", step=0.01, theta=1)
@@ -45,7 +50,7 @@ def test_a_linkage_has_coordinates_and_no_bodies():
         ({"scheme": "magic"}, "moreau-jean"),
         ({"step": 0.0}, "step"),
         ({"step": float("nan")}, "step"),
-        ({"theta": 2.0}, "theta"),
+        ({"theta": 2.0}, "theta"), ({"thet": 1.0}, "did you mean `--theta`"),
         ({"thta": 1.0}, "thta"),
         ({"spectral_radius": 0.5}, "spectral_radius"),
         ({"tolerance": 2.0}, "tolerance"),

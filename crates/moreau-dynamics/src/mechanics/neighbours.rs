@@ -65,7 +65,8 @@ impl Neighbours {
     /// about the centres c that hold the bodies.
     pub fn near(&self, centres: &[Vector3<f64>], radius: impl Fn(usize) -> f64, reach: f64, mut show: impl FnMut(usize, usize)) {
         let mut list = std::mem::take(&mut *self.list.lock().unwrap_or_else(PoisonError::into_inner));
-        if list.holds(centres, reach) || list.find(centres, &radius, reach) {
+        // whoever asks for all pairs gets them, and leaves what is kept for the others
+        if reach < f64::INFINITY && (list.holds(centres, reach) || list.find(centres, &radius, reach)) {
             list.pairs.iter().for_each(|&[i, j]| show(i as usize, j as usize));
         } else {
             (0..centres.len()).for_each(|i| (i + 1..centres.len()).for_each(|j| show(i, j)));
@@ -199,6 +200,14 @@ mod tests {
         centres[7].y += 1.0;
         assert_eq!(shown(&kept, &centres, 0.01), all(&centres, 0.01), "one that jumps is seen where it arrives");
         assert_eq!(kept.list.lock().unwrap().searches, 2);
+        assert_eq!(shown(&kept, &centres, f64::INFINITY).len(), 200 * 199 / 2, "all");
+        let pairs = |kept: &Neighbours| kept.list.lock().unwrap().pairs.len();
+        assert!(
+            shown(&kept, &centres, 0.01) == all(&centres, 0.01) && pairs(&kept) < 200 * 199 / 4,
+            "{}: still those nearby",
+            pairs(&kept)
+        );
+        assert_eq!(kept.list.lock().unwrap().searches, 2, "who asks for all changes nothing for the others");
     }
 
     #[test]

@@ -21,6 +21,7 @@ import numpy as np
 
 from ._errors import InvalidInput, Unsupported
 
+PROTOCOL = "moreau-engine/1"
 #: Whether this process is the child of a gate, which gates nothing itself.
 is_child = False
 _running: set[int] = set()
@@ -49,6 +50,8 @@ def answer(engine: Any, line: str) -> str:
         try:
             request = json.loads(line)
             identity = request.get("id")
+            if request.get("protocol", PROTOCOL) != PROTOCOL:
+                raise ValueError(f"`protocol` is {request['protocol']!r}; this engine speaks {PROTOCOL}")
             reply = {"id": identity, "result": _result(engine, request)}
             return text_of(reply)
         finally:

@@ -5,7 +5,7 @@ import json
 import os
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 from . import _engine, _native
 from ._errors import InvalidInput
@@ -124,14 +124,27 @@ def check_baseline(file: str | os.PathLike[str] | None, steps: Sequence[float]) 
         raise InvalidInput(f"`baseline`: {file} has no time step {missing}; {cure}", "baseline", f"has no time step {missing}", cure)
 
 
-def protocol_check(engine: Any, *, time_limit: float = 60.0) -> tuple[bool, str]:
-    """What `moreau protocol-check` says of an engine, a class at the top of a file or a command: whether all is well, and the text.
+class ProtocolCheck(NamedTuple):
+    """What `moreau protocol-check` says of an engine; it is true where all is well."""
+
+    sound: bool
+    text: str
+
+    def __bool__(self) -> bool:
+        return self.sound
+
+    def __str__(self) -> str:
+        return self.text
+
+
+def protocol_check(engine: Any, *, time_limit: float = 60.0) -> ProtocolCheck:
+    """What `moreau protocol-check` says of an engine, a class at the top of a file or a command: `sound` and the `text`; print it.
 
     The class runs in a child. Whether it reports what the protocol means is asked here; whether it simulates well, by `gate`.
     """
     command = [os.fspath(word) for word in engine] if isinstance(engine, (list, tuple)) else _engine.command(engine)
     text, _, sound = _native.protocol_check(command, time_limit)
-    return sound, text
+    return ProtocolCheck(sound, text)
 
 
 def _options(options: Mapping[str, Any] | None) -> dict[str, Any]:

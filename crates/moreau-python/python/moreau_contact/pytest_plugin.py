@@ -18,7 +18,7 @@ holds every measurement against a stored run, which `--moreau-save-baseline FILE
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from pathlib import Path
 from typing import Any
 
@@ -131,6 +131,15 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
             at = "" if step is None else f"@{_FRACTIONS.get(step, repr(step))}"
             cases.append(pytest.param((check, step), id=f"{check['check']}{at}", marks=mark))
     metafunc.parametrize("moreau_check", cases, indirect=True)
+
+
+@pytest.hookimpl(hookwrapper=True)
+def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, Any, None]:
+    """The short summary and the message in JUnit's file have the first line; where the variable CI is set, pytest would repeat all."""
+    report = (yield).get_result()
+    crash = getattr(report.longrepr, "reprcrash", None)
+    if report.failed and crash is not None and any(name == "moreau_verdict" for name, _ in item.user_properties):
+        crash.message = crash.message.splitlines()[0]
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
