@@ -6,10 +6,10 @@ use crate::checks::text::folded;
 /// Whether a claim has all of these words, as a keyboard types them: in its id, its title, its statement, its correction, its
 /// sources, or the words of the chapter that make it and the headings above them.
 pub fn has_words(claim: &Claim, words: &str) -> bool {
-    let chapter = PLACES.of(claim.id).iter().flat_map(|place| [place.heading.as_str(), place.words.as_str()]);
-    let places = claim.sources.iter().copied().chain(chapter);
     let (statement, correct) = (claim.statement(), claim.correct_statement());
-    let text: Vec<&str> = [claim.id, title(claim.id), &statement, &correct].into_iter().chain(places).collect();
+    let mut text = vec![claim.id, title(claim.id), &statement, &correct];
+    text.extend(claim.sources);
+    text.extend(PLACES.of(claim.id).iter().flat_map(|place| [place.heading.as_str(), place.words.as_str()]));
     let text = folded(&text.join(" "));
     folded(words).split_whitespace().all(|word| text.contains(word))
 }
