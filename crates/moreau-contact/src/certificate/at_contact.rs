@@ -32,8 +32,10 @@ pub(super) struct Here<'a> {
 }
 
 impl Here<'_> {
-    /// The scale of a friction impulse where the contact slides: μ s_r, or s_r if μ is zero.
+    /// The scale of a friction impulse where the contact slides: μ s_r, or s_r if μ is zero; where μ > 1 not more than the larger of s_r
+    /// and s_t. For then friction is a size of its own: at μ = 10⁸ it may be all that holds the contact, while r_n is 10⁻⁸ of it.
     pub fn friction_scale(&self, mu: f64) -> f64 {
-        if mu > 0.0 { mu * self.sizes[1] } else { self.sizes[1] }
+        let [_, s_r, s_t] = self.sizes;
+        if mu > 0.0 { (mu * s_r).min(s_r.max(s_t)) } else { s_r }
     }
 }

@@ -11,8 +11,8 @@
 //! pairs.
 //!
 //! The scale of a product is that of one member times the size of the other: an impulse that is larger than its scale times a velocity that
-//! is within its own says no more than this velocity. Where a contact slides, the scale of friction is μ s_r. The rounding of its velocity
-//! counts as an angle, relative to the slip.
+//! is within its own says no more than this velocity. Where a contact slides, the scale of friction is μ s_r, for μ > 1 at most the larger of
+//! s_r and s_t. The rounding of its velocity counts as an angle, relative to the slip.
 
 use super::at_contact::{AtContact, Here, worst};
 use super::part::{Part, pair};
@@ -280,7 +280,7 @@ impl Judge {
 /// The residuals of one contact under a law with a second-order cone.
 fn second_order(law: Law, here: &Here) -> AtContact {
     let (mu, r, y) = (if law == Law::Frictionless { 0.0 } else { here.friction }, here.r, here.y);
-    let ([rho, _], [s_n, s_r, _], [floor_n, floor_t]) = (here.weights, here.sizes, here.floors);
+    let ([rho, _], [s_n, _, _], [floor_n, floor_t]) = (here.weights, here.sizes, here.floors);
     let (slip, pushed) = (tangential_norm(y), tangential_norm(r));
     let radius = mu * r[0].max(0.0);
     let (w, floor) = if law == Law::Associated { (y[0] - mu * slip, floor_n + mu * floor_t) } else { (y[0], floor_n) };
@@ -300,7 +300,7 @@ fn second_order(law: Law, here: &Here) -> AtContact {
         dual: nan_kept(penetrating, w).times(1.0 / length(mu, 1.0)),
         complementarity: product.worse(if law == Law::Frictionless { Part::default() } else { rounded }),
         normal: pair([r[0], w], Part { value: r[0].abs(), scale: s_i, floor: rounding }, velocity.times(rho)),
-        tangential: friction(mu, s_r, here),
+        tangential: friction(mu, here),
     }
 }
 
@@ -310,7 +310,7 @@ fn nan_kept(part: Part, from: f64) -> Part {
 }
 
 /// ‖r_t − P_disk(r_t − ρ_t y_t)‖ with its scale and its rounding.
-fn friction(mu: f64, s_r: f64, here: &Here) -> Part {
+fn friction(mu: f64, here: &Here) -> Part {
     let (r, y, rho) = (here.r, here.y, here.weights[1]);
     let radius = mu * r[0].max(0.0);
     let mut z = [0.0; 2];
@@ -323,7 +323,7 @@ fn friction(mu: f64, s_r: f64, here: &Here) -> Part {
         return Part { value: off(1.0), scale: here.sizes[2], floor };
     }
     let angle = if radius > 0.0 { (2.0 * radius / reach).min(1.0) } else { 0.0 };
-    let scale = if mu > 0.0 { mu * s_r } else { s_r };
+    let scale = here.friction_scale(mu);
     Part { value: off(if radius > 0.0 { radius / reach } else { 0.0 }), scale, floor: floor * angle + PROJECTED * radius }
 }
 

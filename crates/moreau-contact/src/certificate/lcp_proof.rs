@@ -16,7 +16,7 @@ use super::monotone;
 use super::p_matrix::p_matrix;
 use super::p_structure::surely_p;
 use super::verified_cholesky::is_positive_definite;
-use crate::problem::{ContactProblem, Law, Lcp};
+use crate::problem::{ContactProblem, Lcp};
 use crate::tolerance::complementarity::{EXACT_ROWS, FEASIBLE_ROWS, OPEN_ROWS};
 use moreau_exact::scalar::{Rational, Scalar, exact};
 use moreau_exact::{Error, Result};
@@ -81,9 +81,9 @@ impl Count {
     }
 }
 
-/// The LCP that a problem is, number by number: one row per contact, without friction, compliance and shift.
+/// The LCP that a problem is, number by number: one row per contact, without friction under any round law, compliance and shift.
 pub fn lcp_of(problem: &ContactProblem) -> Option<Lcp<f64>> {
-    let plain = problem.law() == Law::Frictionless && problem.rows_per_contact() == 1 && problem.compliance().is_none();
+    let plain = problem.is_frictionless() && problem.rows_per_contact() == 1 && problem.compliance().is_none();
     let is_lcp = plain && problem.shift().iter().all(|shift| *shift == 0.0);
     is_lcp.then(|| Lcp::new(problem.dense().clone(), problem.free_velocity().clone()))
 }

@@ -4,6 +4,7 @@ use super::super::judge::Worst;
 use super::*;
 use crate::certificate::Part;
 use crate::problem::{Compliance, Coordinates, Dynamics};
+use crate::solvers::{Auto, ContactSolver};
 
 /// Decoupled planar contacts of unit mass with μ = ½.
 fn planar(law: Law, free_velocity: &[f64]) -> ContactProblem {
@@ -370,6 +371,26 @@ fn friction_on_an_open_contact_is_refused_however_heavy_it_is_along_its_normal()
             let problem = apart(law, &[[[normal, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]], &[1.0, 0.0, 0.0], 0.5);
             assert!(judged(&problem, &[0.0; 3]).is_solution(0.0), "{law:?} {normal}");
             assert!(!judged(&problem, &[0.0, 1e-4, 0.0]).is_solution(1e-8), "{law:?} {normal}: it slips at 10⁻⁴ of what is given");
+        }
+    }
+}
+
+#[test]
+fn friction_that_pushes_along_the_slip_is_refused_however_large_mu_is() {
+    // both rows stick but for a normal impulse of about 2/μ: u_n = −1 + r_n + ½ r₁ = 0, u₁ = −4 + ½ r_n + r₁, u₂ = 1 + r₂
+    let block = [[1.0, 0.5, 0.0], [0.5, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    for mu in [1e1, 1e2, 1e4, 1e6, 1e8] {
+        for law in [Law::Coulomb, Law::PolyhedralCoulomb { directions: 4 }] {
+            let problem = apart(law, &[block], &[-1.0, -4.0, 1.0], mu);
+            let answer = Auto.solve(&problem, None).unwrap();
+            assert!(residuals(&problem, &answer).unwrap().is_solution(1e-8), "{mu} {law:?}");
+        }
+        let problem = apart(Law::Coulomb, &[block], &[-1.0, -4.0, 1.0], mu);
+        let right = Auto.solve(&problem, None).unwrap().impulse;
+        let along = [right[0], right[1], -right[2]];
+        assert!(right[2] < -1e-3 && !judged(&problem, &along).is_solution(1e-8), "{mu}: {right}");
+        for off in [1e-6, 1e-3] {
+            assert!(!judged(&problem, &[right[0], right[1], right[2] + off]).is_solution(1e-8), "{mu}: {off}");
         }
     }
 }

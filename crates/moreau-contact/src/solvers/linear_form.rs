@@ -7,7 +7,6 @@
 //!     edges             polyhedral associated      M = Gᵀ(W + R)G + R_edge, columns n + μ Dⱼ; associated in the plane
 //! ```
 
-use super::parts::is_frictionless;
 use crate::cones::polyhedral;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Lcp, Solution};
 use moreau_exact::doubled::residual;
@@ -28,7 +27,7 @@ impl Form {
     /// # Errors
     /// [`Error::Solver`] in the name of a solver if its law is not linear.
     pub(super) fn of(problem: &ContactProblem, solver: &str) -> Result<Form> {
-        if is_frictionless(problem) {
+        if problem.is_frictionless() {
             return Ok(Form::Normals);
         }
         match (problem.law(), problem.rows_per_contact()) {
@@ -48,7 +47,7 @@ impl Form {
     /// # Errors
     /// [`Error::Solver`] in the name of a solver for such problems alone.
     pub(super) fn frictionless(problem: &ContactProblem, solver: &str) -> Result<Form> {
-        if is_frictionless(problem) {
+        if problem.is_frictionless() {
             return Ok(Form::Normals);
         }
         Err(Error::refused(solver, format!("is for the law `frictionless`, this is `{}` with friction", problem.law().name())))

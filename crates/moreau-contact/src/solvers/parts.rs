@@ -69,15 +69,6 @@ pub fn cone_friction(problem: &ContactProblem, k: usize) -> f64 {
     problem.law().cone_friction(problem.friction()[k])
 }
 
-/// Whether it is a linear complementarity problem of the normal rows: nothing rubs under a law without edges.
-pub fn is_frictionless(problem: &ContactProblem) -> bool {
-    match problem.law() {
-        Law::Frictionless => true,
-        Law::Coulomb | Law::Associated => problem.friction().iter().all(|mu| *mu == 0.0),
-        Law::PolyhedralCoulomb { .. } | Law::PolyhedralAssociated { .. } => false,
-    }
-}
-
 /// Replaces every contact's impulse by its projection on the second-order cone.
 pub fn project(problem: &ContactProblem, impulse: &mut DVector<f64>) {
     for (k, contact) in impulse.as_mut_slice().chunks_exact_mut(problem.rows_per_contact()).enumerate() {

@@ -110,6 +110,16 @@ impl ContactProblem {
         &self.friction
     }
 
+    /// Whether nothing rubs: the law without friction, or a round cone with μ = 0 at every contact. Then it is a linear complementarity
+    /// problem of the normal rows.
+    pub fn is_frictionless(&self) -> bool {
+        match self.law {
+            Law::Frictionless => true,
+            Law::Coulomb | Law::Associated => self.friction.iter().all(|mu| *mu == 0.0),
+            Law::PolyhedralCoulomb { .. } | Law::PolyhedralAssociated { .. } => false,
+        }
+    }
+
     /// u_free = H v_free \[m/s\].
     pub fn free_velocity(&self) -> &DVector<f64> {
         &self.free_velocity

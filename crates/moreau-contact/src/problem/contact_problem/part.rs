@@ -1,8 +1,9 @@
 //! The problem of some of the contacts, which W joins with no other.
 
 use super::once::Once;
-use super::{Compliance, ContactProblem};
-use crate::operator::{Islands, Operator};
+use super::{Compliance, ContactProblem, Coordinates, Law};
+use crate::operator::{BlockSparse, Islands, Operator};
+use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 
 impl ContactProblem {
@@ -37,6 +38,34 @@ impl ContactProblem {
             islands: own.map_or_else(Once::default, Once::known),
             velocity_factor: Once::default(),
         }
+    }
+
+    /// The normal rows alone, where nothing rubs; `None` where W is not stored.
+    ///
+    /// # Errors
+    /// As of any problem.
+    pub(crate) fn normal_rows(&self) -> Result<Option<ContactProblem>> {
+        let (rows, contacts) = (self.rows_per_contact, self.contacts());
+        let operator: Operator = match (&self.delassus, self.delassus.blocks()) {
+            (_, Some(blocks)) => {
+                let mut normals = BlockSparse::with_capacity(1, contacts, blocks.block_count());
+                for k in 0..contacts {
+                    normals.begin(k);
+                    blocks.column(k).try_for_each(|(j, block)| normals.push(j, k, &block[..1]))?;
+                }
+                normals.finish(contacts);
+                normals.into()
+            }
+            (Operator::Dense(dense), None) => DMatrix::from_fn(contacts, contacts, |j, k| dense[(j * rows, k * rows)]).into(),
+            _ => return Ok(None),
+        };
+        let normal = |whole: &DVector<f64>| DVector::from_fn(contacts, |k, _| whole[k * rows]);
+        let mut problem = ContactProblem::new(operator, normal(&self.free_velocity)).name(&*self.name).rows_per_contact(1);
+        problem = problem.law(Law::Frictionless).friction(vec![0.0; contacts]).shift(normal(&self.shift));
+        if let Some(Compliance { diagonal, .. }) = &self.compliance {
+            problem = problem.compliance(Compliance { coordinates: Coordinates::Contact, diagonal: normal(diagonal) });
+        }
+        problem.build().map(Some)
     }
 
     /// W between these contacts, stored as that of the whole.

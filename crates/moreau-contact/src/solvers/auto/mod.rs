@@ -3,6 +3,7 @@
 mod stages;
 
 use super::{ContactSolver, workspace};
+use crate::certificate::Judge;
 use crate::operator::Islands;
 use crate::problem::{ContactProblem, Coordinates, Law, Solution, island_rows};
 use crate::tolerance::certificate::CERTIFY;
@@ -40,6 +41,7 @@ use stages::{QUICK, THOROUGH, left_out};
 /// | polyhedral Coulomb in space | plain sweeps |
 /// | the associated law | accelerated projected gradient, Clarabel |
 /// | one row, the plane, polyhedral laws, no friction; up to ten times as many contacts as before | Lemke |
+/// | no friction, several rows | all of this again, for the normal rows alone |
 /// | one row, few contacts | complementary cones, in whole numbers: a solution, or the proof that there is none |
 ///
 /// Each starts from the best answer of those before. The order and the numbers of iterations are fixed, so that the same problem has the
@@ -136,9 +138,33 @@ fn opens_everywhere(problem: &ContactProblem) -> bool {
     })
 }
 
-/// What needs no algorithm; else one island after another, of a few contacts only where one algorithm after another fails at the whole.
+/// The answer of [`through`]; where it is not good and nothing rubs, that of the normal rows, for which there are algorithms to the end.
 fn chain(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Result<Solution> {
     super::parts::check_start(problem, warm_start)?;
+    let found = through(problem, warm_start, goal);
+    if problem.rows_per_contact() == 1 || !problem.is_frictionless() || super::watch::is_over() {
+        return found;
+    }
+    let relative = |solution: &Solution| Judge::default().judge(problem, solution).map(|judged| judged.relative());
+    let reached = found.as_ref().map_or(Ok(f64::INFINITY), relative)?;
+    let Some(normals) = (reached > goal.acceptable || reached.is_nan()).then(|| problem.normal_rows()).transpose()?.flatten() else {
+        return found;
+    };
+    match through(&normals, None, goal) {
+        Ok(Solution { impulse, solver, iterations, .. }) => {
+            let rows = problem.rows_per_contact();
+            let whole = DVector::from_fn(problem.rows(), |row, _| if row.is_multiple_of(rows) { impulse[row / rows] } else { 0.0 });
+            let velocity = problem.velocity(&whole);
+            let solution = Solution { solver, ..Solution::new(NAME, whole, velocity, iterations) };
+            if relative(&solution)? < reached { Ok(solution) } else { found }
+        }
+        Err(error) if is_infeasible(&error) && !(reached <= CERTIFY) => Err(error),
+        Err(_) => found,
+    }
+}
+
+/// What needs no algorithm; else one island after another, of a few contacts only where one algorithm after another fails at the whole.
+fn through(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Result<Solution> {
     if let Some(solution) = at_once(problem, warm_start, goal) {
         return Ok(solution);
     }

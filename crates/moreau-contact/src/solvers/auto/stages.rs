@@ -2,7 +2,6 @@
 
 #[cfg(feature = "clarabel")]
 use super::super::ClarabelPolished;
-use super::super::parts::is_frictionless;
 use super::super::{
     AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, Enumeration, GaussNewton, InteriorPoint, LemkePivoting, NewtonMin,
     NonsmoothNewton, ProjectedGaussSeidel, ProjectedOverRelaxation, ProximalNewton, compliance,
@@ -74,7 +73,7 @@ pub(super) const THOROUGH: &[(Takes, Stage)] = &[
 
 /// Whether it is a linear complementarity problem of a few contacts.
 fn is_direct(problem: &ContactProblem) -> bool {
-    is_frictionless(problem) && problem.contacts() <= tolerance::DIRECT_CONTACTS && is_iterated(problem)
+    problem.is_frictionless() && problem.contacts() <= tolerance::DIRECT_CONTACTS && is_iterated(problem)
 }
 
 /// Whether every contact can be solved alone: its normal impulse moves itself.
@@ -162,7 +161,7 @@ fn is_round(problem: &ContactProblem) -> bool {
 
 /// How many λ, β and σ there are with this many directions; only λ without friction.
 fn unknowns(problem: &ContactProblem, directions: usize) -> usize {
-    if is_frictionless(problem) { problem.contacts() } else { (2 + directions) * problem.contacts() }
+    if problem.is_frictionless() { problem.contacts() } else { (2 + directions) * problem.contacts() }
 }
 
 /// Newton's method on softer contacts, W + α/ρ in place of W, from soft to hard, α = 1, ¼, …: each answer is near the next, and where none

@@ -124,3 +124,35 @@ fn an_accuracy_that_is_asked_for_is_reached_and_no_more() {
     let relative = |answer| residuals(&problem, answer).unwrap().judged.relative();
     assert!(relative(&rough) <= 0.5 && relative(&fine) <= 1e-12 && rough.iterations < fine.iterations);
 }
+
+#[test]
+fn what_the_normal_rows_alone_have_is_had_with_tangential_rows_that_nothing_rubs() {
+    // 0 ≤ r ⟂ (1 − r₁, r₁ − 1) ≥ 0 is solved by r₁ = 1 and any r₂ ≥ 0; and 0 · r − 1 ≥ 0 by nothing
+    let several = DMatrix::from_row_slice(2, 2, &[-1.0, 0.0, 1.0, 0.0]);
+    for law in [Law::Frictionless, Law::Coulomb, Law::Associated] {
+        for rows in [2, 3] {
+            let with_tangents = |normals: &DMatrix<f64>| {
+                let n = normals.nrows() * rows;
+                DMatrix::from_fn(n, n, |i, j| match (i % rows, j % rows) {
+                    (0, 0) => normals[(i / rows, j / rows)],
+                    _ => f64::from(i == j) + if j % rows == 0 { 0.25 } else { 0.0 },
+                })
+            };
+            let made = |normals: &DMatrix<f64>, closing: &[f64]| {
+                let free = DVector::from_fn(normals.nrows() * rows, |i, _| if i % rows == 0 { closing[i / rows] } else { 0.5 });
+                let friction = vec![0.0; normals.nrows()];
+                ContactProblem::new(with_tangents(normals), free).rows_per_contact(rows).law(law).friction(friction).build().unwrap()
+            };
+            let problem = made(&several, &[1.0, -1.0]);
+            let blocks = crate::operator::BlockSparse::from_sparse(&crate::operator::Sparse::of(problem.dense()), rows).unwrap();
+            let stored = problem.clone().into_builder().delassus(blocks).build().unwrap();
+            for problem in [problem, stored] {
+                let answer = Auto.solve(&problem, None).unwrap();
+                assert!(residuals(&problem, &answer).unwrap().is_solution(CERTIFY), "{law:?} {rows}: {answer:?}");
+                assert!((answer.impulse[0] - 1.0).abs() <= CERTIFY, "{law:?} {rows}: {answer:?}");
+            }
+            let none = Auto.solve(&made(&DMatrix::zeros(1, 1), &[-1.0]), None);
+            assert!(none.as_ref().is_err_and(is_infeasible), "{law:?} {rows}: {none:?}");
+        }
+    }
+}

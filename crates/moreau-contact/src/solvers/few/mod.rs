@@ -17,7 +17,6 @@ mod parts;
 mod path;
 mod rows;
 
-use super::parts::is_frictionless;
 use crate::problem::{ContactProblem, Law, Solution};
 use nalgebra::DVector;
 use parts::MOST;
@@ -30,7 +29,7 @@ pub(super) fn solve(problem: &ContactProblem, start: Option<&DVector<f64>>, stop
         return None;
     }
     match (problem.law(), problem.rows_per_contact()) {
-        _ if is_frictionless(problem) => normals::solve(problem, start, enough),
+        _ if problem.is_frictionless() => normals::solve(problem, start, enough),
         (Law::Coulomb, 2) => friction::solve::<2>(problem, start, stop, enough),
         (Law::Coulomb, 3) => friction::solve::<3>(problem, start, stop, enough),
         _ => None,
