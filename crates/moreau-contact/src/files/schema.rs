@@ -68,6 +68,7 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error) -> Error {
     let field = named(&error).or_else(|| last_key(text, error.line(), error.column()));
     match field.filter(|_| !error.to_string().starts_with("trailing characters")) {
         Some(field) => Error::invalid(field, problem, cure),
+        None if error.classify() == Category::Syntax => Error::Unsupported(format!("{problem}; one object in braces is a whole file")),
         None => Error::Json(error),
     }
 }
@@ -145,7 +146,8 @@ mod tests {
         assert!(message(r#"{"schema":"pair/1","first":[1],"secnd":2}"#).contains("field `secnd`: unknown"));
         assert!(message(r#"{"schema":"pair/1","first":[1]}"#).contains("field `second`: missing"));
         assert!(message(r#"{"schema":"pair/1","first":[1],"second":2,"first":[1]}"#).contains("field `first`: duplicate"));
-        assert!(!message(r#"{"schema":"pair/1","first":[1],"second":2}}"#).contains("field"));
+        let more = message(r#"{"schema":"pair/1","first":[1],"second":2}}"#);
+        assert!(!more.contains("field") && more.contains("trailing characters") && more.contains("one object in braces"), "{more}");
         let marked = message("\u{feff}{\"schema\":\"pair/1\"}");
         assert!(marked.contains("byte-order mark") && marked.contains("as UTF-8 without"), "{marked}");
         assert!(message(r#"{"schema":"pair/2"}"#).contains("pair/1"));
