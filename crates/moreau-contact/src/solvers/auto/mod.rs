@@ -147,7 +147,8 @@ fn chain(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal
     }
     let relative = |solution: &Solution| Judge::default().judge(problem, solution).map(|judged| judged.relative());
     let reached = found.as_ref().map_or(Ok(f64::INFINITY), relative)?;
-    let Some(normals) = (reached > goal.acceptable || reached.is_nan()).then(|| problem.normal_rows()).transpose()?.flatten() else {
+    let reached = if reached.is_nan() { f64::INFINITY } else { reached };
+    let Some(normals) = (reached > goal.acceptable).then(|| problem.normal_rows()).transpose()?.flatten() else {
         return found;
     };
     match through(&normals, None, goal) {
@@ -158,7 +159,7 @@ fn chain(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal
             let solution = Solution { solver, ..Solution::new(NAME, whole, velocity, iterations) };
             if relative(&solution)? < reached { Ok(solution) } else { found }
         }
-        Err(error) if is_infeasible(&error) && !(reached <= CERTIFY) => Err(error),
+        Err(error) if is_infeasible(&error) && reached > CERTIFY => Err(error),
         Err(_) => found,
     }
 }
