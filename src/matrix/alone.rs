@@ -117,6 +117,7 @@ pub const STANDS: &[(&str, &str)] = &[
     ("spin/flat-box", "its time holds for every load of four corners, so that a wrong yaw friction has a number"),
     ("spin/gyroscopic", "it tells growth from loss over many turns, where flight/spinning-box compares one"),
     ("limits/stick", "it holds one coefficient of friction to two percent, in a body whose contacts share no load"),
+    ("limits/small", "its cube is 4 cm wide: lengths that an engine has built in are large there, and small in every other scene"),
     ("bounce/flat-box", "it has four impacts at once whose sum has a closed form for every law of them"),
     ("bounce/corner", "it is the closed form of one impact with a lever, by which a moment of inertia is named"),
     ("bounce/spinning-ball", "it has e and μ in one impact in closed form"),
@@ -129,7 +130,9 @@ pub const STANDS: &[(&str, &str)] = &[
     ("pair/held", "what sticks here is carried by a box that could creep itself, as no load on a floor is"),
     ("pair/plank-on-plank", "it is faces on faces, whose contact points are the engine's own choice"),
     ("pair/off-centre", "face, edge and corner of a turned box have a closed form each, by which the wrong feature is named"),
+    ("pair/faces", "it is e at several corners between two bodies, where the place of the whole impulse has a closed form"),
     ("pair/rough-corner", "it has e and μ of a box in one contact, with a closed form for stick and for slip"),
+    ("pair/support-leaves", "what rests is left by what carries it, which wakes nothing by an impact"),
     ("fixed/bounce", "floors and walls of users are static bodies, whose mass an engine may have made up"),
     ("fixed/rest", "it asks of a static body what rest/drift and rest/jitter ask of the plane"),
     ("conveyor/box", "it is the one surface that moves and is not moved, with an exact time to the end of slip"),
@@ -137,6 +140,7 @@ pub const STANDS: &[(&str, &str)] = &[
     ("round/cylinder-incline", "its acceleration names the moment of inertia about the axis"),
     ("round/capsule-incline", "the moment of a capsule is a sum of three, of which cylinder and sphere have one each"),
     ("round/standing", "a flat end needs three points at least, which a rolling cylinder does not"),
+    ("round/struck", "it has moments of inertia of both rods across their axes, in free space and in closed form"),
 ];
 
 #[cfg(test)]
