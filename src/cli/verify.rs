@@ -106,7 +106,8 @@ fn explain(id: &str, format: Format) -> Result<Answer> {
     Ok(conclusion(&[outcome]))
 }
 
-/// What to do about a part of an id or of a title: ids that begin so, else those that are spelt nearly so, and where it is a word of claims.
+/// What to do about a part of an id or of a title: ids that begin so, else those that are spelt nearly so, and how to list the claims that
+/// have it as a word.
 fn of_part(id: &str) -> String {
     let begins = |claim: &&Claim| claim.id.to_lowercase().starts_with(&id.to_lowercase());
     let beginning: Vec<String> = claims::all().filter(begins).take(3).map(|claim| format!("`{}`", claim.id)).collect();

@@ -11,8 +11,8 @@
 //! pairs.
 //!
 //! The scale of a product is that of one member times the size of the other: an impulse that is larger than its scale times a velocity that
-//! is within its own says no more than this velocity. Where a contact slides, the scale of friction is μ s_r, for μ > 1 at most the larger of
-//! s_r and s_t. The rounding of its velocity counts as an angle, relative to the slip.
+//! is within its own says no more than this velocity. Where a contact slides, the scale of friction is μ s_r, for μ > 1 at most the larger
+//! of s_r and s_t. The rounding of its velocity counts as an angle, relative to the slip.
 
 use super::at_contact::{AtContact, Here, worst};
 use super::part::{Part, pair};

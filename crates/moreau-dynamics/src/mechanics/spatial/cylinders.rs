@@ -1,4 +1,5 @@
-//! The sides, rims, edges and corners of a cylinder and of a box, another cylinder or a capsule that may touch each other; `manifold` chooses.
+//! The sides, rims, edges and corners of a cylinder and of a box, another cylinder or a capsule that may touch each other;
+//! `manifold` chooses.
 
 use super::circles::Passage;
 use super::manifold::{Meeting, SIDE, collect};

@@ -6,10 +6,11 @@
 //!     sphere, box    φ = signed distance of the centre from the box − r
 //! ```
 //! Every gap is a distance between material features (corner, edge, face, centre), so its time derivative is exactly
-//! n · (v_first − v_second) at the two points; parallel faces share a normal, see `faces`. Capsules and cylinders are in `round` and
-//! `cylinders`.
+//! n · (v_first − v_second) at the two points; parallel faces share a normal, see `faces`. Capsules and cylinders are in `round`,
+//! `capsule_box` and `cylinders`.
 
 use super::boxes::box_box;
+use super::capsule_box::capsule_box;
 use super::cylinders::{capsule_cylinder, cylinder_box, cylinders};
 use super::faces::level;
 use super::round::{self, Rod};
@@ -74,7 +75,7 @@ pub(super) fn pair_touches(first: &Shape, pose_first: &Pose, second: &Shape, pos
             round::capsules(Rod { radius, half_height, pose: pose_first }, second, touches);
         }
         (Shape::Capsule { radius, half_height }, Shape::Box { half_extents }) => {
-            round::capsule_box(Rod { radius, half_height, pose: pose_first }, half_extents, pose_second, touches);
+            capsule_box(Rod { radius, half_height, pose: pose_first }, half_extents, pose_second, touches);
         }
         (Shape::Sphere { radius }, Shape::Capsule { radius: other, half_height }) => {
             touches.push(round::sphere_capsule(radius, &pose_first.centre, Rod { radius: other, half_height, pose: pose_second }));

@@ -16,6 +16,7 @@
 //! [`Mechanism::mean_force`].
 
 mod boxes;
+mod capsule_box;
 mod circles;
 mod cylinders;
 mod faces;

@@ -7,7 +7,7 @@
 //!     plane       capsule:  φ = n·(x ± l a) − c − r
 //!                 cylinder: φ = n·(x ± l a) − c − r ‖(1 − a aᵀ) n‖            the lowest point of either rim
 //!     sphere      φ = distance of its centre from the segment, or from the cylinder, less the radii
-//!     box         the ends of a capsule as spheres, and its side at the edges and corners of the box, see `manifold`
+//!     box         see `capsule_box`
 //!     capsules    the ends of each as spheres at the other, and the inner points where the segments pass each other
 //! ```
 //! Cylinders at boxes, capsules and each other are in `cylinders`, what a pair with a box or a cylinder touches with in `manifold`.
@@ -20,11 +20,7 @@
 //! by less than [`STANDING`]; one that leans more rolls on its lowest point, and a point of the rim that comes down beside it must not
 //! brake it.
 
-use super::circles::Passage;
-use super::manifold::{Meeting, SIDE, collect};
-use super::shape::{Pose, corners};
-use super::solids::{Cores, Edge, Solid, Widest, edges};
-use super::spheres::sphere_box;
+use super::shape::Pose;
 use super::touch::{Touch, direction};
 use crate::mechanics::Plane;
 use crate::tolerance::mechanics::{PARALLEL, STANDING};
@@ -136,27 +132,6 @@ pub(super) fn capsules(first: Rod, second: Rod, touches: &mut Vec<Touch>) {
     if let Some([a, b]) = crossing(first.ends(), second.ends()) {
         touches.push(balls([a, b], radii, [2, 2]));
     }
-}
-
-/// A capsule at a box: its ends as balls, and its side at the corners and edges; normals point to the capsule.
-pub(super) fn capsule_box(capsule: Rod, half_extents: [f64; 3], cuboid: &Pose, touches: &mut Vec<Touch>) {
-    let solids = [Solid::Capsule(capsule), Solid::Box(half_extents, cuboid)];
-    let radius = capsule.radius;
-    let ends = (0..).zip(capsule.ends()).map(|(side, end)| {
-        let Touch { normal, points, .. } = sphere_box(0.0, &end, half_extents, cuboid);
-        Meeting { cores: Cores { points: [end, points[1]], radii: [radius, 0.0] }, normal: Some(normal), features: [side, 0] }
-    });
-    let corners = (0..).zip(corners(half_extents).map(|corner| cuboid.world(corner)));
-    let beside = corners.filter(|(_, corner)| capsule.nearest(corner).1);
-    let mut meetings: Vec<Meeting> =
-        ends.chain(beside.map(|(number, corner)| Meeting::side_ball(&capsule, &corner, 0.0, number))).collect();
-    for Edge { ends, feature } in edges(half_extents, cuboid) {
-        if let Some(points) = crossing(capsule.ends(), ends) {
-            let passage = Passage { points, tangents: [capsule.axis(), direction(ends[0], ends[1]).1] };
-            meetings.push(Meeting::of(passage, [radius, 0.0], [SIDE, feature]));
-        }
-    }
-    collect(solids, Widest::of(&solids), &meetings, touches);
 }
 
 /// The nearest points of two segments, if both are between the ends and the segments are not parallel.
