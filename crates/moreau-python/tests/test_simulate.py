@@ -50,7 +50,7 @@ def test_a_linkage_has_coordinates_and_no_bodies():
         ({"scheme": "magic"}, "moreau-jean"),
         ({"step": 0.0}, "step"),
         ({"step": float("nan")}, "step"),
-        ({"theta": 2.0}, "theta"), ({"thet": 1.0}, "did you mean `--theta`"),
+        ({"theta": 2.0}, "theta"), ({"thet": 1.0}, "did you mean `theta`"),
         ({"thta": 1.0}, "thta"),
         ({"spectral_radius": 0.5}, "spectral_radius"),
         ({"tolerance": 2.0}, "tolerance"),
