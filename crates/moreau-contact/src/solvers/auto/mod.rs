@@ -142,7 +142,8 @@ fn opens_everywhere(problem: &ContactProblem) -> bool {
 fn chain(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Result<Solution> {
     super::parts::check_start(problem, warm_start)?;
     let found = through(problem, warm_start, goal);
-    if problem.rows_per_contact() == 1 || !problem.is_frictionless() || super::watch::is_over() {
+    let is_decided = problem.rows_per_contact() == 1 || found.as_ref().is_err_and(is_infeasible);
+    if is_decided || !problem.is_frictionless() || super::watch::is_over() {
         return found;
     }
     let relative = |solution: &Solution| Judge::default().judge(problem, solution).map(|judged| judged.relative());
