@@ -69,6 +69,15 @@ pub const PLANTED: &[Planted<Faulty>] = &[
             caught_by: &["bounce/separating"],
         },
     },
+    Planted {
+        name: "bounce/approach-of-centres",
+        mistake: "returns e of the speed at which centres approach: what only turns does not bounce",
+        kind: Kind::Scheme,
+        subject: Faulty {
+            engine: || Box::new(EachStep { before: |scene, _| plastic_unless_centres_approach(scene), ..EachStep::NOTHING }),
+            caught_by: &["bounce/turning-bar"],
+        },
+    },
 ];
 
 fn plastic_boxes(scene: &mut Scene, _: f64) {
@@ -88,6 +97,20 @@ fn mean_inertia(scene: &mut Scene, _: f64) {
 
 fn plastic_below(scene: &mut Scene, threshold: f64) {
     if scene.bodies.iter().all(|body| Vector3::from(body.linear_velocity).norm() < threshold) {
+        scene.material.restitution = 0.0;
+    }
+}
+
+fn plastic_unless_centres_approach(scene: &mut Scene) {
+    let approach = |first: &Body, second: &Body| {
+        let [apart, rate] = [(first.position, second.position), (first.linear_velocity, second.linear_velocity)]
+            .map(|(first, second)| Vector3::from(second) - Vector3::from(first));
+        apart.dot(&rate) < 0.0
+    };
+    let falls =
+        |body: &Body| scene.ground.is_some_and(|ground| Vector3::from(ground.normal).dot(&Vector3::from(body.linear_velocity)) < 0.0);
+    let meets = |k: usize| scene.bodies[..k].iter().any(|other| approach(other, &scene.bodies[k]));
+    if !(0..scene.bodies.len()).any(|k| falls(&scene.bodies[k]) || meets(k)) {
         scene.material.restitution = 0.0;
     }
 }

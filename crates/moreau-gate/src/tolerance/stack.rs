@@ -15,11 +15,12 @@ pub fn drift(velocity: f64, steps: usize, h: f64) -> f64 {
     steps as f64 * h * velocity
 }
 
-/// Depth \[m\] of a landing after a fall of `drop` \[m\], at v = √(2 g · drop): 3/2 h (v + g h). The contact is found up to a step late,
-/// and the next step moves on with the mean of both speeds.
+/// Depth \[m\] of a landing after a fall of `drop` \[m\] and of `steps` steps more, at v = √(2 g · drop): 3/2 h (v + n g h). The contact is
+/// found up to a step late, and the next step moves on with the mean of both speeds. The n-th box of a pile falls a step longer for each
+/// level below it ([`found_depth`]); the first one falls for one.
 /// Derived.
-pub fn landing(gravity: f64, drop: f64, h: f64) -> f64 {
-    1.5 * h * (sinking_speed(gravity, drop) + gravity * h)
+pub fn landing(gravity: f64, drop: f64, steps: usize, h: f64) -> f64 {
+    1.5 * h * (sinking_speed(gravity, drop) + steps as f64 * gravity * h)
 }
 
 /// Depth \[m\] at which the contact of the n-th box may be found: h (v + n g h). The box has fallen through all gaps of `gap` \[m\], which
@@ -38,6 +39,33 @@ pub fn found_depth(gravity: f64, gap: f64, levels: usize, h: f64) -> f64 {
 pub fn sway(reduction: f64, height: f64, width: f64, gravity: f64, h: f64, steps: usize) -> f64 {
     let times = 1.0 + steps as f64 * (1.0 - reduction.min(1.0 - f64::EPSILON)).ln() / SOLVED.ln();
     times * height * super::ball::depth(0.0, gravity, h) / width
+}
+
+/// By how much more a corner may yield under a spring of given frequency if the boxes are wider: 1/m_p = (1 + 6 a²/(a² + c²))/m at the
+/// corner of a box of half extents a, a, c. It is at most 7/m, and at least 5/m for a > 1.42 c, also if the arm is a fiftieth shorter.
+/// Derived.
+pub const WIDER: f64 = 7.0 / 5.0;
+
+/// Angle \[rad\] by which a box may have tipped on the one below it, on a base of this width \[m\], where every depth is taken back to
+/// nothing. A corner that opens falls for a step, at most with 3/2 g, as the end of a rod that tips about its other end does. It is found
+/// and acted on as after a landing, 3/2 · 3/2 g h² deep, and this depth is taken back like any other, so that tips do not add up in time.
+/// Those of several levels may lean to one side. Measured on examples/engines/gauss_seidel.py at r = 1/5.
+/// Derived.
+pub fn tip(width: f64, gravity: f64, h: f64) -> f64 {
+    1.5 * super::ball::depth(0.0, gravity, h) / width
+}
+
+/// Speed \[m/s\] that every level adds to those above it where every depth is taken back to nothing: a corner that opens falls for a step
+/// with at most 3/2 g, and a part r of the depth at which it is found is taken back in the next one.
+/// Derived.
+pub fn tipping_speed(reduction: f64, gravity: f64, h: f64) -> f64 {
+    1.5 * (gravity * h + reduction * super::ball::depth(0.0, gravity, h) / h)
+}
+
+/// Part of a depth that is left after n steps which take back a part r of it each.
+/// Derived.
+pub fn left(reduction: f64, steps: usize) -> f64 {
+    (1.0 - reduction.min(1.0)).powf(steps as f64)
 }
 
 /// Whether a declared error reduction r without an allowance lets a corner fly for longer than the step in which it opens, which [`sway`]

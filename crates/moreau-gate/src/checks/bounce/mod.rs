@@ -5,8 +5,9 @@
 //!     one corner without friction        p = (1 + e) |u_n|/W_nn ,   W_nn = 1/m + (l × n)·J⁻¹(l × n)
 //!     a solid sphere with friction       p_t = min(μ p_n, u_t/W_tt) ,   W_tt = 1/m + ℓ²/J ,   p_n = (1 + e) m |u_n|
 //!     a contact that opens               p = 0, or what stops it if it is pressed
+//!     a bar that only turns              p = (1 + e) ω ℓ/W_nn
 //! ```
-//! No body spins before its impact but the sphere, so that the lever of a corner does not depend on when the contact is found. There is no
+//! No box spins before its impact but the bar, so that the lever of a corner does not depend on when the contact is found. There is no
 //! gravity but for the contact that is pressed. So no number depends on h, except where it is said.
 
 mod declared;
@@ -15,6 +16,7 @@ mod opening;
 mod scene;
 mod slow;
 pub(super) mod spinning;
+mod turning;
 
 use crate::check::{Control, Expected, Run};
 use crate::{Check, Level};
@@ -88,6 +90,18 @@ pub const CHECKS: &[Check] = &[
         run: Run::EachStep(opening::separating),
         control: Control { passes: "moreau-jean", fails: "bounce/opening-contact-bounces" },
     },
+    Check {
+        name: "bounce/turning-bar",
+        level: Level::Simulate,
+        question: "Does a bar that only turns, its centre at rest, bounce where it strikes the floor or a ball?",
+        derivation: "e acts on the velocity of the contact, here ω ℓ, and not on that of the centres, which is 0: p = (1 + e) ω ℓ/W_nn, \
+            W_nn = 1/m + 1/M + ℓ²/J. The impulse's power Σ (p·v + L·ω), L = ℓ × p, is p u_n, so that −e is its ratio after over before, \
+            whatever the lever. The bar turns while the contact is found, by at most the angle of two steps, and the approach may be \
+            taken with a lever as much older; p is monotone in ℓ for ℓ² > J (1/m + 1/M).",
+        source: "Newton's law at the contact point; closed form of an eccentric impact without friction",
+        run: Run::EachStep(turning::turning),
+        control: Control { passes: "moreau-jean", fails: "bounce/approach-of-centres" },
+    },
 ];
 
 /// The derived verdicts that are not `pass`.
@@ -98,12 +112,14 @@ pub const EXPECTED: &[Expected] = &[
     Expected::without_restitution("stewart-trinkle", "bounce/every-step"),
     Expected::without_restitution("stewart-trinkle", "bounce/spinning-ball"),
     Expected::without_restitution("stewart-trinkle", "bounce/separating"),
+    Expected::without_restitution("stewart-trinkle", "bounce/turning-bar"),
     Expected::without_restitution("anitescu", "bounce/flat-box"),
     Expected::without_restitution("anitescu", "bounce/corner"),
     Expected::without_restitution("anitescu", "bounce/slow"),
     Expected::without_restitution("anitescu", "bounce/every-step"),
     Expected::without_restitution("anitescu", "bounce/spinning-ball"),
     Expected::without_restitution("anitescu", "bounce/separating"),
+    Expected::without_restitution("anitescu", "bounce/turning-bar"),
 ];
 
 #[cfg(test)]
