@@ -28,7 +28,7 @@ DEFAULTS = {
     "substeps": 1,           # steps of h/n in each step of h
     "precision": "double",   # single: the state keeps 24 bits
     "accuracy": 1e-8,        # a sweep that changes no impulse by more than this part of the largest is the last
-    "sweeps": 10000,         # most sweeps of a step; a box of 1 kg under one of 1000 kg needs some thousands
+    "sweeps": 5000,          # most sweeps of a step; a box of 1 kg under one of 1000 kg needs some thousands
     "opening": "stop",       # a contact that was opening and is pressed: stop, u_n⁺ ≥ 0; newton, u_n⁺ ≥ −e u_n⁻ < 0
     "restitution_threshold": 0.0,  # [m/s] approach speed below which e is 0
     "error_reduction": 0.0,  # part of a depth that a step takes back by a velocity that the bodies keep

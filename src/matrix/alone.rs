@@ -129,6 +129,7 @@ pub const STANDS: &[(&str, &str)] = &[
     ("pair/woken", "it lets bodies rest as long as engines need to put them to sleep, and says which of them was not woken"),
     ("pair/held", "what sticks here is carried by a box that could creep itself, as no load on a floor is"),
     ("pair/plank-on-plank", "it is faces on faces, whose contact points are the engine's own choice"),
+    ("pair/central", "it has masses from 10 g to 400 kg and sizes from 8 mm on, by which a limit of either is named"),
     ("pair/off-centre", "face, edge and corner of a turned box have a closed form each, by which the wrong feature is named"),
     ("pair/faces", "it is e at several corners between two bodies, where the place of the whole impulse has a closed form"),
     ("pair/rough-corner", "it has e and μ of a box in one contact, with a closed form for stick and for slip"),

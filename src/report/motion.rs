@@ -202,8 +202,12 @@ impl MotionReport<'_> {
             .map(|all| all.into_iter().flatten().collect())
     }
 
+    /// Of two bodies there may be some candidates at one place and one at another; of more bodies there are always several, and counting
+    /// them takes time that grows with the square of their number.
     fn has_one_contact(&self, state: &State) -> bool {
-        self.mechanism.count_within(&state.position, f64::INFINITY) == 1
+        const MOST_OF_TWO_BODIES: usize = 64;
+        let may_be = self.mechanism.most_candidates().is_none_or(|most| most <= MOST_OF_TWO_BODIES);
+        may_be && self.mechanism.count_within(&state.position, f64::INFINITY) == 1
     }
 
     /// u_n at each sample, for a mechanism with a single contact.

@@ -138,6 +138,15 @@ impl List {
     }
 }
 
+/// Keeps the two largest values, the largest first: those of the two bodies that may close a gap fastest.
+pub(super) fn largest(two: &mut [f64; 2], value: f64) {
+    if value > two[0] {
+        *two = [value, two[0]];
+    } else if value > two[1] {
+        two[1] = value;
+    }
+}
+
 fn pair(i: usize, j: usize) -> [u32; 2] {
     [i.min(j) as u32, i.max(j) as u32]
 }

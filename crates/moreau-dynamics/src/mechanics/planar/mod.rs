@@ -10,11 +10,13 @@
 mod boxes;
 mod faces;
 mod features;
+mod search;
 mod shape;
 mod touch;
 
 pub use shape::{PlanarBody, Shape};
 
+use super::neighbours::Neighbours;
 use super::{BodyState, Materials, Mechanism, PairMaterial, Plane, State};
 use features::{ground_touches, pair_touches};
 use moreau_contact::contact::{Contact, Mass, Place, Rows};
@@ -34,6 +36,7 @@ pub struct PlanarBodies {
     gravity: [f64; 2],
     ground: Option<Plane>,
     materials: Materials,
+    neighbours: Neighbours,
 }
 
 impl PlanarBodies {
@@ -68,7 +71,7 @@ impl PlanarBodies {
             return Err(Error::invalid("gravity", format!("is {gravity:?}"), "use finite numbers"));
         }
         let materials = Materials::new(friction, restitution)?;
-        Ok(PlanarBodies { name: name.into(), bodies, gravity, ground: None, materials })
+        Ok(PlanarBodies { name: name.into(), bodies, gravity, ground: None, materials, neighbours: Neighbours::default() })
     }
 
     /// The same bodies with some pairs' friction and restitution overridden.
@@ -86,8 +89,9 @@ impl PlanarBodies {
         DVector::from_iterator(3 * self.bodies.len(), diagonal)
     }
 
-    fn pose(&self, body: usize, position: &DVector<f64>) -> Pose {
-        Pose::new([position[3 * body], position[3 * body + 1]], position[3 * body + 2])
+    fn poses(&self, position: &DVector<f64>) -> Vec<Pose> {
+        let pose = |body: usize| Pose::new([position[3 * body], position[3 * body + 1]], position[3 * body + 2]);
+        (0..self.bodies.len()).map(pose).collect()
     }
 
     fn contact(&self, first: usize, second: Option<usize>, touch: &Touch, poses: &[Pose], index: usize) -> Contact {
@@ -142,35 +146,43 @@ impl Mechanism for PlanarBodies {
     }
 
     fn contacts(&self, position: &DVector<f64>) -> Vec<Contact> {
-        let poses: Vec<Pose> = (0..self.bodies.len()).map(|body| self.pose(body, position)).collect();
-        let mut contacts = Vec::new();
-        if let Some(ground) = &self.ground {
-            for (first, body) in self.bodies.iter().enumerate() {
-                let touches = ground_touches(body.shape(), &poses[first], ground);
-                contacts.extend(touches.iter().enumerate().map(|(k, touch)| self.contact(first, None, touch, &poses, k)));
-            }
-        }
-        for first in 0..self.bodies.len() {
-            for second in first + 1..self.bodies.len() {
-                let shapes = (self.bodies[first].shape(), self.bodies[second].shape());
-                let touches = pair_touches(shapes.0, &poses[first], shapes.1, &poses[second]);
-                contacts.extend(touches.iter().enumerate().map(|(k, touch)| self.contact(first, Some(second), touch, &poses, k)));
-            }
-        }
+        self.contacts_within(position, f64::INFINITY)
+    }
+
+    fn contacts_within(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
+        let poses = self.poses(position);
+        let mut contacts = Vec::with_capacity(self.neighbours.expected());
+        self.touches(&poses, reach, |first, second, touch, index| contacts.push(self.contact(first, second, touch, &poses, index)));
+        self.neighbours.expect(contacts.len());
         contacts
     }
 
     /// The corners of a box or one point of a circle with the ground, two of a pair of boxes and one of another pair.
     fn most_candidates(&self) -> Option<usize> {
-        Some(self.count_within(&DVector::zeros(0), f64::INFINITY))
-    }
-
-    /// All are listed, whatever the reach.
-    fn count_within(&self, _position: &DVector<f64>, _reach: f64) -> usize {
         let boxes = self.bodies.iter().filter(|body| matches!(body.shape(), Shape::Box { .. })).count();
         let pairs = |n: usize| n.saturating_mul(n.saturating_sub(1)) / 2;
         let ground = if self.ground.is_some() { self.bodies.len() + 3 * boxes } else { 0 };
-        pairs(self.bodies.len()).saturating_add(pairs(boxes)).saturating_add(ground)
+        Some(pairs(self.bodies.len()).saturating_add(pairs(boxes)).saturating_add(ground))
+    }
+
+    fn count_within(&self, position: &DVector<f64>, reach: f64) -> usize {
+        let mut count = 0;
+        self.touches(&self.poses(position), reach, |_, _, _, _| count += 1);
+        count
+    }
+
+    fn contacts_between(&self, position: &DVector<f64>, (first, second): (usize, Option<usize>)) -> Vec<Contact> {
+        let poses = self.poses(position);
+        let touches = match (second, &self.ground) {
+            (None, None) => Vec::new(),
+            (None, Some(ground)) => ground_touches(self.bodies[first].shape(), &poses[first], ground),
+            (Some(other), _) => pair_touches(self.bodies[first].shape(), &poses[first], self.bodies[other].shape(), &poses[other]),
+        };
+        touches.iter().enumerate().map(|(k, touch)| self.contact(first, second, touch, &poses, k)).collect()
+    }
+
+    fn reach(&self, velocity: &DVector<f64>, h: f64) -> f64 {
+        search::reach(self, velocity, h)
     }
 
     fn inverse_mass(&self, contact: &Contact) -> Option<f64> {

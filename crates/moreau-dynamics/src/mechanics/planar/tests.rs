@@ -119,7 +119,7 @@ fn delassus_operator_of_a_rolling_disk_shows_its_inertia() {
 
 /// The singular values of the n and t rows of the candidates, the largest first.
 fn singular_values(bodies: &PlanarBodies, q: &DVector<f64>, touches: &[Touch], rows: std::ops::Range<usize>) -> Vec<f64> {
-    let poses: Vec<Pose> = (0..bodies.bodies.len()).map(|body| bodies.pose(body, q)).collect();
+    let poses = bodies.poses(q);
     let second = (poses.len() > 1).then_some(1);
     let blocks =
         touches.iter().map(|touch| bodies.contact(0, second, touch, &poses, 0).jacobian.to_dense().rows_range(rows.clone()).into_owned());
@@ -140,7 +140,7 @@ fn two_points_of_a_face_have_three_velocities_and_one_tangential_one_and_with_ow
         // the upper box hangs over the end of the lower one: one corner of each lies over a face of the other
         let centre = [0.1 + 0.3 * cosine + height * sine, 0.2 + height * cosine - 0.3 * sine];
         let q = dvector![centre[0], centre[1], turn + tilt, 0.1, 0.2, turn];
-        let poses = [tower.pose(0, &q), tower.pose(1, &q)];
+        let poses = tower.poses(&q);
         let shared = boxes::box_box(top, &poses[0], low, &poses[1]);
         let own = boxes::manifold([top, low], [&poses[0], &poses[1]], |_, _| None);
         let beyond = |touches: &[Touch]| {
@@ -159,13 +159,13 @@ fn two_corners_of_a_face_on_the_ground_slide_alike_and_bare_ones_by_the_tilt_apa
     for tilt in (0..=24).map(|k| 10f64.powf(-12.0 + 0.25 * f64::from(k))) {
         let block = PlanarBodies::new("block", vec![cuboid("block", [0.5, 0.2])], [0.0, -9.81], level(0.5)).expect("valid");
         let q = dvector![0.3, 0.2, std::f64::consts::FRAC_PI_2 * 2.0 + tilt];
-        let touches = ground_touches(block.bodies[0].shape(), &block.pose(0, &q), &level(0.5));
+        let touches = ground_touches(block.bodies[0].shape(), &block.poses(&q)[0], &level(0.5));
         let mut lowest: Vec<Touch> = touches.into_iter().filter(|touch| touch.gap < 0.2).collect();
         let apart = |touches: &[Touch]| singular_values(&block, &q, touches, 1..2)[1];
         assert!(lowest.len() == 2 && apart(&lowest) <= bound, "tilt {tilt:e}: {:e}", apart(&lowest));
         let [left, right] = [0, 1].map(|k| block.contacts(&q)[[2, 3][k]].jacobian.row(1).into_owned());
         assert!((left - right).amax() <= bound, "the mechanism lists the levelled corners");
-        let corners = shape::corners([0.5, 0.2]).map(|corner| block.pose(0, &q).world(corner));
+        let corners = shape::corners([0.5, 0.2]).map(|corner| block.poses(&q)[0].world(corner));
         for (touch, corner) in lowest.iter_mut().zip([corners[2], corners[3]]) {
             touch.points = [corner; 2];
         }
@@ -218,4 +218,78 @@ fn solid_shapes_have_their_moments_of_inertia() {
     let cuboid = PlanarBody::solid("box", Shape::Box { half_extents: [1.0, 3.0] }, 1.5).expect("valid");
     assert_eq!(cuboid.inertia(), 1.5 * 40.0 / 12.0);
     assert_eq!(PlanarBody::solid("disk", Shape::Disk { radius: 2.0 }, 1.5).expect("valid").inertia(), 3.0);
+}
+
+/// Bodies of both shapes at random places about each other, and random velocities.
+fn scattered(seed: u64, spread: f64) -> (PlanarBodies, DVector<f64>, DVector<f64>) {
+    let number = |k: u64| {
+        let mixed = (seed * 1000 + k).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        ((mixed ^ (mixed >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9) >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    };
+    let bodies = vec![cuboid("a", [0.4, 0.1]), cuboid("b", [0.3, 0.2]), disk("c", 0.25), cuboid("d", [0.2, 0.2]), disk("e", 0.1)];
+    let place = |k: usize| if k % 3 == 2 { 3.0 * number(k as u64) } else { spread * number(k as u64) };
+    let q = DVector::from_fn(3 * bodies.len(), |k, _| place(k));
+    let v = DVector::from_fn(3 * bodies.len(), |k, _| number(100 + k as u64));
+    (PlanarBodies::new("scattered", bodies, [0.0, -9.81], level(0.5)).expect("valid"), q, v)
+}
+
+#[test]
+fn only_candidates_within_reach_are_listed_and_none_of_them_is_missing() {
+    let mut listed = 0;
+    for seed in 0..300 {
+        let (mechanism, q, _) = scattered(seed, 1.0 + 0.01 * seed as f64);
+        let all = mechanism.contacts(&q);
+        assert_eq!(Some(all.len()), mechanism.most_candidates());
+        for reach in [-0.1, 0.0, 0.05, 0.3] {
+            let expected: Vec<Contact> = all.iter().filter(|contact| contact.gap <= reach).cloned().collect();
+            assert_eq!(mechanism.contacts_within(&q, reach), expected, "{seed} at {reach}");
+            assert_eq!(mechanism.count_within(&q, reach), expected.len());
+            listed += expected.len();
+        }
+        for (first, second) in [(0, None), (2, None), (0, Some(1)), (1, Some(2)), (2, Some(4))] {
+            let expected: Vec<Contact> =
+                all.iter().filter(|one| one.place.is_some_and(|place| place.bodies == (first, second))).cloned().collect();
+            assert_eq!(mechanism.contacts_between(&q, (first, second)), expected);
+        }
+    }
+    assert!(listed > 5000, "{listed}");
+}
+
+#[test]
+fn a_contact_beyond_the_reach_does_not_close_in_the_step() {
+    let mut beyond = 0;
+    for seed in 0..500 {
+        let (mechanism, q, v) = scattered(seed, 1.5);
+        for h in [0.03, 0.1, 0.3] {
+            let reach = mechanism.reach(&v, h);
+            for contact in mechanism.contacts(&q).iter().filter(|contact| contact.gap > reach) {
+                let u = &contact.jacobian * &v;
+                assert!(h * (u[0].abs() + 0.5 * u[1].abs()) < contact.gap, "{}", contact.label());
+                beyond += 1;
+            }
+        }
+    }
+    let (mechanism, ..) = scattered(0, 1.0);
+    assert!(beyond > 1000 && mechanism.reach(&DVector::from_element(15, 1e3), 1.0) == f64::INFINITY, "{beyond}");
+}
+
+#[test]
+fn a_gap_is_at_least_the_distance_of_two_bodies_over_the_root_of_two() {
+    let (mut compared, mut least) = (0, f64::INFINITY);
+    for seed in 0..2000 {
+        let (mechanism, q, _) = scattered(seed, 1.5);
+        let distance = |first: usize, second: usize| {
+            let radius = [0.4f64.hypot(0.1), 0.3f64.hypot(0.2), 0.25, 0.2f64.hypot(0.2), 0.1];
+            (q[3 * first] - q[3 * second]).hypot(q[3 * first + 1] - q[3 * second + 1]) - radius[first] - radius[second]
+        };
+        for contact in mechanism.contacts(&q) {
+            let (first, Some(second)) = contact.place.expect("bodies").bodies else { continue };
+            let apart = distance(first, second);
+            if apart > 0.0 {
+                assert!(contact.gap >= apart / 2f64.sqrt() - rounding(64, 3.0), "{} {apart} at {seed}", contact.gap);
+                (compared, least) = (compared + 1, least.min(contact.gap / apart));
+            }
+        }
+    }
+    assert!(compared > 3000 && least >= 0.7, "{compared} compared, {least}");
 }

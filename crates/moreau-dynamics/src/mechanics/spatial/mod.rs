@@ -36,7 +36,7 @@ pub(in crate::mechanics) use spheres::sphere_box;
 pub(in crate::mechanics) use touch::Touch;
 use touch::Touches;
 
-use super::neighbours::Neighbours;
+use super::neighbours::{Neighbours, largest};
 use super::{BodyState, Materials, Mechanism, PairMaterial, Plane, State};
 use crate::tolerance::limits::PRECESSION_PARTS;
 use crate::tolerance::mechanics::{BESIDE, PARALLEL_FACES};
@@ -170,15 +170,6 @@ fn spin(body: usize, velocity: &DVector<f64>) -> Vector3<f64> {
 /// A row of H at one body: the direction in which its point moves, and the arm of a turn, both with a sign.
 pub(in crate::mechanics) fn six(sign: f64, direction: [f64; 3], arm: [f64; 3]) -> [f64; 6] {
     std::array::from_fn(|axis| sign * if axis < 3 { direction[axis] } else { arm[axis - 3] })
-}
-
-/// Keeps the two largest values, the largest first.
-fn largest(two: &mut [f64; 2], value: f64) {
-    if value > two[0] {
-        *two = [value, two[0]];
-    } else if value > two[1] {
-        two[1] = value;
-    }
 }
 
 impl Mechanism for SpatialBodies {
