@@ -78,6 +78,15 @@ pub const PLANTED: &[Planted<Faulty>] = &[
             caught_by: &["bounce/turning-bar"],
         },
     },
+    Planted {
+        name: "bounce/approach-of-centres-of-boxes",
+        mistake: "between two boxes returns e of the speed at which their centres approach",
+        kind: Kind::Scheme,
+        subject: Faulty {
+            engine: || Box::new(EachStep { before: |scene, _| plastic_boxes_unless_centres_approach(scene), ..EachStep::NOTHING }),
+            caught_by: &["bounce/turning-bar"],
+        },
+    },
 ];
 
 fn plastic_boxes(scene: &mut Scene, _: f64) {
@@ -98,6 +107,12 @@ fn mean_inertia(scene: &mut Scene, _: f64) {
 fn plastic_below(scene: &mut Scene, threshold: f64) {
     if scene.bodies.iter().all(|body| Vector3::from(body.linear_velocity).norm() < threshold) {
         scene.material.restitution = 0.0;
+    }
+}
+
+fn plastic_boxes_unless_centres_approach(scene: &mut Scene) {
+    if scene.bodies.len() > 1 && scene.bodies.iter().all(|body| body.cuboid.is_some()) {
+        plastic_unless_centres_approach(scene);
     }
 }
 

@@ -4,13 +4,13 @@
 use super::super::ClarabelPolished;
 use super::super::{
     AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, Enumeration, GaussNewton, InteriorPoint, LemkePivoting, NewtonMin,
-    NonsmoothNewton, ProjectedGaussSeidel, ProjectedOverRelaxation, ProximalNewton, compliance,
+    NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation, ProximalNewton, compliance,
 };
 use crate::certificate::Judge;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
 use crate::tolerance::newton::STEPS_IN_AUTO;
 use crate::tolerance::solvers::{self as tolerance, ENOUGH};
-use moreau_exact::Result;
+use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
 /// Whether an algorithm is for a problem.
@@ -29,12 +29,14 @@ pub(super) const QUICK: &[(Takes, Stage)] = &[
     (is_iterated, short_newton),
     (is_large, |problem, _, stop| through_interior(problem, 0.0, stop)),
     (is_iterated, newton),
+    (is_principal, principal_pivots),
 ];
 
 /// Those that follow where the answer is not good enough yet for the certificate, [`ACCEPTABLE`].
 pub(super) const THOROUGH: &[(Takes, Stage)] = &[
     (is_iterated, |problem, _, stop| ProximalNewton { steps: STEPS_IN_AUTO, tolerance: stop, ..Default::default() }.solve(problem, None)),
     (has_blocks, |problem, _, stop| newton(problem, None, stop)),
+    (is_pivoted_soon, |problem, _, _| LemkePivoting.solve(problem, None)),
     (is_swept, more_sweeps),
     (is_swept, newton),
     (is_iterated, |problem, _, stop| newton(problem, None, stop)),
@@ -67,13 +69,25 @@ pub(super) const THOROUGH: &[(Takes, Stage)] = &[
     ),
     #[cfg(feature = "clarabel")]
     (is_convex, |problem, _, _| ClarabelPolished.solve(problem, None)),
-    (is_pivoted_last, |problem, _, _| LemkePivoting.solve(problem, None)),
+    (|problem| is_pivoted_last(problem) && !is_pivoted_soon(problem), |problem, _, _| LemkePivoting.solve(problem, None)),
     (is_enumerated, |problem, _, _| Enumeration.solve(problem, None)),
 ];
 
 /// Whether it is a linear complementarity problem of a few contacts.
 fn is_direct(problem: &ContactProblem) -> bool {
     problem.is_frictionless() && problem.contacts() <= tolerance::DIRECT_CONTACTS && is_iterated(problem)
+}
+
+/// Whether it is a linear complementarity problem of more contacts, for which pivots on its principal minors are for sure where W is
+/// positive semidefinite.
+fn is_principal(problem: &ContactProblem) -> bool {
+    problem.is_frictionless() && is_iterated(problem) && problem.contacts() <= tolerance::LEMKE_LAST
+}
+
+/// Parametric principal pivoting. What it says of a problem without solution is said with rounding, and is no proof.
+fn principal_pivots(problem: &ContactProblem, _: Option<&DVector<f64>>, _: f64) -> Result<Solution> {
+    let solver = ParametricPivoting::default();
+    solver.solve(problem, None).map_err(|_| Error::breakdown(solver.name(), "ended without a solution"))
 }
 
 /// Whether every contact can be solved alone: its normal impulse moves itself.
@@ -151,6 +165,12 @@ fn is_pivoted(problem: &ContactProblem) -> bool {
 fn is_pivoted_last(problem: &ContactProblem) -> bool {
     let size = unknowns(problem, problem.law().directions().unwrap_or(2));
     LemkePivoting::fits(problem) && !is_pivoted(problem) && size <= tolerance::LEMKE_LAST
+}
+
+/// Whether Lemke's pivots cost less than the sweeps that may end it, which many contacts of few bodies hold up.
+fn is_pivoted_soon(problem: &ContactProblem) -> bool {
+    let size = unknowns(problem, problem.law().directions().unwrap_or(2));
+    is_pivoted_last(problem) && size <= tolerance::LEMKE_SOON
 }
 
 /// Whether no linear complementarity problem is equivalent, and that of a polygon is not too large.

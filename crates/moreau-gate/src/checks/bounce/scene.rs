@@ -22,28 +22,17 @@ pub(super) fn weightless(name: &str, body: Body, friction: f64) -> Scene {
     scene
 }
 
-/// Steps of h \[s\] from the start until an impact over `gap` \[m\] at `speed` \[m/s\] is over.
+/// Steps of h \[s\] from the start until an impact over `gap` \[m\] at `speed` \[m/s\] is over. Declared damping c delays it to
+/// T = −ln(1 − c·gap/v)/c, and a step of it by at most h more for each 1/c.
 ///
 /// # Errors
 /// `unsupported` if declared damping stops the body before it arrives.
 pub(super) fn steps_to_impact(bench: &Bench, gap: f64, speed: f64, h: f64) -> Reply<usize> {
-    steps_after(Model::of(bench.description()).damping().map_or(0.0, |(linear, _)| linear), gap / speed, h)
-}
-
-/// Steps of h \[s\] from the start until an impact is over before which the body turns by `angle` \[rad\] at `spin` \[rad/s\].
-///
-/// # Errors
-/// `unsupported` if declared damping stops the body before it arrives.
-pub(super) fn steps_to_turn(bench: &Bench, angle: f64, spin: f64, h: f64) -> Reply<usize> {
-    steps_after(Model::of(bench.description()).damping().map_or(0.0, |(_, angular)| angular), angle / spin, h)
-}
-
-/// Damping c \[1/s\] delays an impact after t₀ \[s\] to T = −ln(1 − c t₀)/c, and a step of it by at most h more for each 1/c.
-fn steps_after(damping: f64, undamped: f64, h: f64) -> Reply<usize> {
-    let lost = damping * undamped;
+    let damping = Model::of(bench.description()).damping().map_or(0.0, |(linear, _)| linear);
+    let lost = damping * gap / speed;
     if lost >= 1.0 {
         return Err(Refusal::unsupported("the declared damping stops the body before its impact"));
     }
-    let time = if damping > 0.0 { -(-lost).ln_1p() / damping } else { undamped };
+    let time = if damping > 0.0 { -(-lost).ln_1p() / damping } else { gap / speed };
     Ok((time / h + damping * time).ceil() as usize + PATIENCE)
 }

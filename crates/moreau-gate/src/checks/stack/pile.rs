@@ -98,6 +98,12 @@ impl<'a> Pile<'a> {
         }
     }
 
+    /// Whether a compliant law carries a corner's load, a quarter of its level's, half a box deep: its bound is twice the depth at rest.
+    pub fn is_swallowed_by_springs(&self, bench: &Bench, h: f64) -> bool {
+        let compliant = bench.description().contact_model.kind == Kind::Compliant;
+        compliant && sunk(&Model::of(bench.description()), self.masses, h) >= 2.0 * HALF
+    }
+
     pub fn scene(&self) -> Scene {
         stack(self.masses, &self.start.gaps(self.masses.len()), self.ledge)
     }
@@ -106,12 +112,16 @@ impl<'a> Pile<'a> {
 /// How deep \[m\] the declared law lets the corners of a box into the one below, on springs after a fall through all gaps; at most half a
 /// box, as deeper in other faces touch.
 fn let_in(bench: &Bench, masses: &[f64], h: f64) -> f64 {
-    let model = Model::of(bench.description());
     let compliant = bench.description().contact_model.kind == Kind::Compliant;
     let fall = if compliant { masses.len() as f64 * GAP } else { 0.0 };
-    let corners = levels(masses).into_iter().map(|level| LoadedPoint { load: 0.25 * level.load, ..level });
-    let sunk = corners.skip(1).filter_map(|corner| sink::sink(&model, &[corner], h)).fold(0.0, f64::max);
+    let sunk = sunk(&Model::of(bench.description()), masses, h);
     if sunk > 0.0 { (sunk + fall).min(HALF) } else { 0.0 }
+}
+
+/// The deepest that the declared law lets a corner sink that is set down on a box \[m\]; 0 for a law that lets none.
+fn sunk(model: &Model, masses: &[f64], h: f64) -> f64 {
+    let corners = levels(masses).into_iter().map(|level| LoadedPoint { load: 0.25 * level.load, ..level });
+    corners.skip(1).filter_map(|corner| sink::sink(model, &[corner], h)).fold(0.0, f64::max)
 }
 
 /// The weight that each level carries as if at one point between its bodies.

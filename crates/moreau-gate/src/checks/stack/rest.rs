@@ -32,8 +32,8 @@ pub(super) struct Rest {
     held: Option<f64>,
     /// Speed that the declared law leaves a heavy box, and any box \[m/s\].
     speeds: Option<[f64; 2]>,
-    /// Angle \[rad\] and shift \[m\] by which a declared error reduction may tip the boxes.
-    tipped: Option<[f64; 2]>,
+    /// Angle \[rad\], shift and fall \[m\] by which a declared error reduction may tip the boxes.
+    tipped: Option<[f64; 3]>,
     /// Relative accuracy of impulses.
     solved: f64,
     duration: f64,
@@ -77,7 +77,8 @@ impl Rest {
         };
         let sideways =
             over(&|track, k| (track.position[k][0] - track.position[from][0]).hypot(track.position[k][1] - track.position[from][1]));
-        let upwards = over(&|track, k| (track.position[k][2] - track.position[from][2]).abs());
+        let rise = |track: &BodyTrack, k: usize| track.position[k][2] - track.position[from][2];
+        let [upwards, downwards] = [over(&|track, k| rise(track, k).max(0.0)), over(&|track, k| (-rise(track, k)).max(0.0))];
         let tilt = over(&|track, k| angle_between(track.orientation[from], track.orientation[k]));
         let still = |allowed: f64| Expectation::equal(0.0, allowed, "nothing moves");
         let law = |allowed: f64| self.sink.map(|sink| Expectation::at_most(sink, allowed, "the declared contacts sink under their load"));
@@ -90,7 +91,9 @@ impl Rest {
         vec![
             Measurement::new("largest horizontal displacement while standing", "m", sideways, still(self.drift))
                 .predicted(opened(1, self.drift)),
-            Measurement::new("largest vertical displacement while standing", "m", upwards, still(depth)).predicted(law(depth)),
+            Measurement::new("largest rise while standing", "m", upwards, still(depth)).predicted(law(depth)),
+            Measurement::new("largest sinking while standing", "m", downwards, still(self.drift))
+                .predicted(opened(2, self.drift).or_else(|| law(self.drift))),
             Measurement::new("largest turn while standing", "rad", tilt, still(self.drift / (0.5 * WIDTH)))
                 .predicted(opened(0, self.drift / (0.5 * WIDTH))),
             Measurement::new("deepest overlap of neighbours", "m", overlap(trajectory), still(deepest))
@@ -117,7 +120,7 @@ impl Rest {
 }
 
 /// Depths \[m\] of all landings together, and of the deepest one. What stands on springs from the start falls for a step at most.
-fn landings(pile: &Pile, h: f64) -> [f64; 2] {
+pub(super) fn landings(pile: &Pile, h: f64) -> [f64; 2] {
     let one = |k: usize| match pile.start {
         Start::Sprung(_) => tolerance::landing(GRAVITY, 0.0, 1, h),
         Start::Apart | Start::Swallowed => tolerance::landing(GRAVITY, (k + 1) as f64 * GAP, k + 1, h),
@@ -143,13 +146,14 @@ fn opens(model: &Model, steps: usize) -> bool {
     }
 }
 
-/// Angle \[rad\] and shift \[m\] of the uppermost box from one sample to another, of which each may have all levels tipped to one side:
-/// every level turns and shifts what stands on it.
-pub(super) fn tipped(pile: &Pile, h: f64) -> [f64; 2] {
+/// Angle \[rad\], shift and fall \[m\] of the uppermost box from one sample to another, of which each may have all levels tipped to one side:
+/// every level turns, shifts and lowers what stands on it.
+pub(super) fn tipped(pile: &Pile, h: f64) -> [f64; 3] {
     let levels = pile.masses.len();
-    (0..levels).fold([0.0, 0.0], |[angle, shift], k| {
-        let tip = tolerance::tip(2.0 * width(k, levels, pile.ledge), GRAVITY, h);
-        [angle + 2.0 * tip, shift + 2.0 * tip * 2.0 * HALF * (levels - k) as f64]
+    (0..levels).fold([0.0; 3], |[angle, shift, fall], k| {
+        let width = 2.0 * width(k, levels, pile.ledge);
+        let tip = tolerance::tip(width, GRAVITY, h);
+        [angle + 2.0 * tip, shift + 2.0 * tip * 2.0 * HALF * (levels - k) as f64, fall + tip * width]
     })
 }
 

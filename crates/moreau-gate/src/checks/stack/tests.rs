@@ -2,7 +2,7 @@
 
 use super::pile::{GAP, HALF, NARROWER, Pile, Start, WIDTH, corner, sprung_depths, width};
 use super::rest::{rise, tipped};
-use super::standing;
+use super::{pile, standing};
 use crate::checks::scenery::GRAVITY;
 use crate::model::Model;
 use crate::runner::SWEEP;
@@ -116,10 +116,11 @@ fn a_wider_box_yields_by_a_bounded_factor_more() {
 #[test]
 fn tips_of_all_levels_lean_to_one_side_and_what_is_taken_back_decays() {
     let pile = Pile { masses: &[1.0; 3], start: Start::Apart, ledge: 0.0 };
-    let [angle, shift] = tipped(&pile, 0.01);
+    let [angle, shift, fall] = tipped(&pile, 0.01);
     let one = |k: usize| 1.5 * 1.5 * GRAVITY * 1e-4 / (2.0 * width(k, 3, 0.0));
     assert!((angle - 2.0 * (one(0) + one(1) + one(2))).abs() <= rounding(64, angle));
     assert!((shift - 4.0 * HALF * (3.0 * one(0) + 2.0 * one(1) + one(2))).abs() <= rounding(64, shift));
+    assert!((fall - 3.0 * 1.5 * 1.5 * GRAVITY * 1e-4).abs() <= rounding(64, fall));
     let limits = crate::model::RigidLimits { error_reduction: 0.2, penetration_allowance: 1e-3, ..Default::default() };
     let slow = crate::model::RigidLimits { correction_speed: 0.1, ..limits };
     let [decayed, stays] = [limits, slow].map(|limits| rise(&Model::Coulomb(limits), 0.1, (3, 100), 0.01));
@@ -129,4 +130,34 @@ fn tips_of_all_levels_lean_to_one_side_and_what_is_taken_back_decays() {
         rise(&Model::Coulomb(crate::model::RigidLimits { error_reduction, ..Default::default() }), 0.0, (3, 100), 0.01)
     };
     assert!(opening(0.2) > 3.0 * GRAVITY * 0.01 && opening(0.01) == 0.0);
+}
+
+#[test]
+fn a_pile_that_may_be_found_as_deep_as_a_box_or_that_springs_swallow_is_not_asked() {
+    let refused = |law: &str, kind: Kind, parameters: &[(&str, f64)], masses: &[f64], h: f64| {
+        declared(law, kind, parameters, |bench| matches!(pile(bench, masses, h), Err(crate::Refusal::Unsupported(_))))
+    };
+    for (levels, h, deep) in [(10, 1.0 / 30.0, true), (5, 1.0 / 30.0, false), (10, 1.0 / 60.0, false)] {
+        assert_eq!(refused("coulomb", Kind::Rigid, &[], &vec![1.0; levels], h), deep, "{levels} at {h}");
+    }
+    for (stiffness, soft) in [(4e4, true), (6e4, false)] {
+        let springs = [("stiffness", stiffness), ("damping", 100.0)];
+        assert_eq!(refused("spring-damper", Kind::Compliant, &springs, &[1.0, 1000.0], 1e-3), soft, "{stiffness}");
+    }
+}
+
+#[test]
+fn a_pile_that_sinks_while_its_velocities_are_zero_fails() {
+    let verdict = |creep: f64| {
+        let mut engine = crate::exact::Reporting(move |motion: &mut moreau_dynamics::trajectory::Trajectory| {
+            for track in &mut motion.bodies {
+                track.position.iter_mut().enumerate().for_each(|(k, place)| place[2] -= creep * k as f64);
+            }
+        });
+        let options = crate::Options::new();
+        let description = crate::Engine::describe(&mut engine, &options).expect("describes itself");
+        let measured = standing(&mut Bench::new(&mut engine, &description, &options), 1.0 / 60.0, &[1.0; 5], 200).expect("answers");
+        measured.into_iter().find(|one| one.quantity.contains("sinking")).expect("measured").verdict()
+    };
+    assert_eq!([verdict(0.0), verdict(1e-4)], [crate::Verdict::Pass, crate::Verdict::Fail]);
 }
