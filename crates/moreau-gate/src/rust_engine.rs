@@ -153,6 +153,7 @@ macro_rules! gate_tests {
             bounce_every_step "bounce/every-step"
             bounce_spinning_ball "bounce/spinning-ball"
             bounce_separating "bounce/separating"
+            bounce_turning_bar "bounce/turning-bar"
             pair_oblique_spheres "pair/oblique-spheres"
             pair_crossed_bars "pair/crossed-bars"
             pair_ball_on_box "pair/ball-on-box"

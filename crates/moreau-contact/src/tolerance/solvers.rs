@@ -174,8 +174,8 @@ pub const LEMKE_DIRECTIONS: [usize; 2] = [8, 5];
 /// Set.
 pub const LEMKE_UNKNOWNS: usize = 200;
 
-/// Most unknowns of the linear complementarity problems that `auto` pivots before it makes all its sweeps, which take some ten seconds on the
-/// 212 contacts of a pyramid of 91 boxes in the plane, 848 unknowns, where Lemke takes seven.
+/// Most unknowns of the linear complementarity problems that `auto` pivots before it makes all its sweeps. Those take some ten seconds on
+/// the 212 contacts of a pyramid of 91 boxes in the plane, 848 unknowns, where Lemke takes seven.
 /// Set.
 pub const LEMKE_SOON: usize = 1000;
 

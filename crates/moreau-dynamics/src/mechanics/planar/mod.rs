@@ -182,7 +182,7 @@ impl Mechanism for PlanarBodies {
     }
 
     fn reach(&self, velocity: &DVector<f64>, h: f64) -> f64 {
-        search::reach(self, velocity, h)
+        self.reached(velocity, h)
     }
 
     fn inverse_mass(&self, contact: &Contact) -> Option<f64> {

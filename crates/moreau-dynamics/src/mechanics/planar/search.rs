@@ -46,20 +46,21 @@ impl PlanarBodies {
             }
         });
     }
-}
 
-/// A bound of h(|u_n| + μ‖u_t‖) at every candidate. Its rows see a point within the radius R_k of body k, or outside it: beside a face by at
-/// most the gap φ, as above; halfway between parallel faces by φ/2; levelled over the ground by half the diameter times the tilt θ₀. With
-/// s = Σ(‖ẋ_k‖ + |ω_k| R_k (1 + θ₀)) and w = Σ|ω_k| over the two fastest bodies, h(|u_n| + μ‖u_t‖) ≤ h(1 + μ)(s + w φ), which is below φ for
-/// every φ above h(1 + μ) s/(1 − h(1 + μ) w).
-pub(super) fn reach(mechanism: &PlanarBodies, velocity: &DVector<f64>, h: f64) -> f64 {
-    let (mut speeds, mut turns) = ([0.0; 2], [0.0; 2]);
-    for (k, body) in mechanism.bodies.iter().enumerate() {
-        let turn = velocity[3 * k + 2].abs();
-        largest(&mut speeds, velocity[3 * k].hypot(velocity[3 * k + 1]) + turn * body.shape().radius() * (1.0 + PARALLEL_FACES));
-        largest(&mut turns, turn);
+    /// A bound of h(|u_n| + μ‖u_t‖) at every candidate. Its rows see a point within the radius R_k of body k, or outside it: beside a face
+    /// by at most the gap φ, as above; halfway between parallel faces by φ/2; levelled over the ground by half the diameter times the tilt
+    /// θ₀. With s = Σ(‖ẋ_k‖ + |ω_k| R_k (1 + θ₀)) and w = Σ|ω_k| over the two fastest bodies, h(|u_n| + μ‖u_t‖) ≤ h(1 + μ)(s + w φ), which
+    /// is below φ for every φ above h(1 + μ) s/(1 − h(1 + μ) w).
+    pub(super) fn reached(&self, velocity: &DVector<f64>, h: f64) -> f64 {
+        let (mut speeds, mut turns) = ([0.0; 2], [0.0; 2]);
+        for (k, body) in self.bodies.iter().enumerate() {
+            let turn = velocity[3 * k + 2].abs();
+            let rim = turn * body.shape().radius() * (1.0 + PARALLEL_FACES);
+            largest(&mut speeds, velocity[3 * k].hypot(velocity[3 * k + 1]) + rim);
+            largest(&mut turns, turn);
+        }
+        let factor = h * (1.0 + self.materials.largest_friction());
+        let left = 1.0 - factor * (turns[0] + turns[1]);
+        if left > 0.0 { factor * (speeds[0] + speeds[1]) / left } else { f64::INFINITY }
     }
-    let factor = h * (1.0 + mechanism.materials.largest_friction());
-    let left = 1.0 - factor * (turns[0] + turns[1]);
-    if left > 0.0 { factor * (speeds[0] + speeds[1]) / left } else { f64::INFINITY }
 }

@@ -22,7 +22,8 @@ const RESTING: &str = "After landing nothing moves. A solver that leaves a part 
     which add up over the steps. A landing at v is found up to a step late, and the next step acts on it; the n-th box falls n steps \
     longer than the gaps take, so that it is 3/2 h (v + n g h) deep. The engine may correct this depth later, which lifts the boxes; it \
     sinks no more. Where a box may be that deep that it is in the next one whole, or declared springs carry it half a box deep, the pile \
-    is not asked. Boxes are narrower towards the top by as much as their corners may be let in. A compliant or slack contact sinks by at most twice its declared rest depth \
+    is not asked. Boxes are narrower towards the top by as much as their corners may be let in. \
+    A compliant or slack contact sinks by at most twice its declared rest depth \
     under the whole load, level by level, at up to √(2 g · sink). Springs may give the energy of the falls to one box, which lifts all \
     boxes above it. If an engine declares that a step takes back a part of each depth, the levels rise by what is left of the landings' \
     depths; and where a corner has no depth left it opens, falls for a step and is found 9/4 g h² deep, so that its box tips on the one \

@@ -36,7 +36,8 @@ pub(super) fn width(k: usize, levels: usize, ledge: f64) -> f64 {
     WIDTH * (1.0 - NARROWER * k as f64) + ledge * (levels - 1 - k) as f64
 }
 
-/// Boxes of these masses \[kg\], from below, with these gaps to what is below \[m\], each narrower by `ledge` \[m\] more than at small steps.
+/// Boxes of these masses \[kg\], from below, with these gaps to what is below \[m\], each narrower by `ledge` \[m\] more than at small
+/// steps.
 fn stack(masses: &[f64], gaps: &[f64], ledge: f64) -> Scene {
     let height = |k: usize| (2 * k + 1) as f64 * HALF + gaps[..=k].iter().sum::<f64>();
     let width = |k: usize| width(k, masses.len(), ledge);

@@ -129,7 +129,8 @@ pub(super) fn landings(pile: &Pile, h: f64) -> [f64; 2] {
 }
 
 /// Speed \[m/s\] that a declared error reduction may leave the uppermost box of a pile that has landed: it takes back what is left of the
-/// landings' depths \[m\], and of those of corners that open within so many steps. A declared cap of an impact need not hold in a pile, but it lets depths stay.
+/// landings' depths \[m\], and of those of corners that open within so many steps. A declared cap of an impact need not hold in a pile, but
+/// it lets depths stay.
 pub(super) fn rise(model: &Model, landing: f64, (levels, steps): (usize, usize), h: f64) -> f64 {
     let Model::Coulomb(limits) = model else { return 0.0 };
     let reduction = limits.error_reduction;
@@ -146,8 +147,8 @@ fn opens(model: &Model, steps: usize) -> bool {
     }
 }
 
-/// Angle \[rad\], shift and fall \[m\] of the uppermost box from one sample to another, of which each may have all levels tipped to one side:
-/// every level turns, shifts and lowers what stands on it.
+/// Angle \[rad\], shift and fall \[m\] of the uppermost box from one sample to another, of which each may have all levels tipped to one
+/// side: every level turns, shifts and lowers what stands on it.
 pub(super) fn tipped(pile: &Pile, h: f64) -> [f64; 3] {
     let levels = pile.masses.len();
     (0..levels).fold([0.0; 3], |[angle, shift, fall], k| {
