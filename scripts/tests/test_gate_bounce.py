@@ -40,7 +40,10 @@ class Bounce(unittest.TestCase):
     def test_correct_engines_pass(self):
         for arguments in CORRECT:
             for check in judged(*arguments):
-                self.assertIn(check["verdict"], ("pass", "difference"), (arguments, check))
+                # what damping does before an impact and what the impact does is not told apart there
+                is_asked = check["check"] != "bounce/turning-bar" or "--linear-damping" not in arguments
+                right = ("pass", "difference") if is_asked else ("unsupported",)
+                self.assertIn(check["verdict"], right, (arguments, check))
 
     def test_every_mistake_fails_at_every_step_at_which_it_acts(self):
         for mutant, catching in MUTANTS.items():
