@@ -121,6 +121,7 @@ pub const STANDS: &[(&str, &str)] = &[
     ("bounce/flat-box", "it has four impacts at once whose sum has a closed form for every law of them"),
     ("bounce/corner", "it is the closed form of one impact with a lever, by which a moment of inertia is named"),
     ("bounce/spinning-ball", "it has e and μ in one impact in closed form"),
+    ("bounce/slow", "it goes through speeds from 0.02 m/s on, by which a threshold of restitution has a number"),
     ("bounce/separating", "it finds an impulse where there must be none"),
     ("pair/oblique-spheres", "it has friction between two bodies in one impact, with no other contact to share it"),
     ("pair/crossed-bars", "it is the pair of features that engines forget, in closed form"),
