@@ -101,6 +101,9 @@ impl ParametricPivoting {
         let mut tableau = PrincipalTableau::new(lcp, &[ones]);
         for pivots in 0..=self.pivots {
             let Some((s, parameter)) = next(&tableau) else { return Ok(PrincipalOutcome::Basis(tableau.support(), pivots)) };
+            if super::watch::is_over() {
+                break;
+            }
             let (row, diagonal) = (tableau.basic[s] % size, tableau.matrix[(s, s)].clone());
             let not_of_class = || refused(PARAMETRIC, row, "positive semidefinite, nor a P-matrix");
             if diagonal < -negligible::<T>(size) {

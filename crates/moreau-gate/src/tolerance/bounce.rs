@@ -51,6 +51,14 @@ pub fn pressed(epsilon: f64) -> f64 {
 #[cfg(test)]
 pub const WRONG: f64 = 1e-6;
 
+/// A mistake of e that is told of a bar that turns, whose approach may be one with a lever older by two steps \[s\]: the solver's part, and
+/// twice the largest of these, 0.2 h for the lever of the ball, ½ · 3/7.5 · 2 ω h at ω = ⅓ rad/s and what both sides of it add.
+/// Required: of `bounce/turning-bar`, by its tests.
+#[cfg(test)]
+pub fn wrong_while_turning(h: f64) -> f64 {
+    WRONG_IN_SUM + 0.4 * h
+}
+
 /// A mistake of e that is told where the solver may leave a part of the impulse, which acts with the lever of a corner.
 /// Required: of the checks of several impulses at once, by their tests.
 #[cfg(test)]

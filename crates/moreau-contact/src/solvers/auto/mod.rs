@@ -28,7 +28,7 @@ use stages::{QUICK, THOROUGH, left_out};
 /// | all but a compliance on edges | a few accelerated sweeps, and a few steps of nonsmooth Newton from what they found |
 /// | W stored by blocks, round cones | interior points, and Newton from there |
 /// | all but a compliance on edges | Newton |
-/// | no friction, up to 2 000 contacts | parametric principal pivots |
+/// | no friction, up to 1 000 contacts | parametric principal pivots |
 /// | all but a compliance on edges, where that was not good enough | proximal points around Newton, from zero |
 /// | W stored by blocks | Newton from zero |
 /// | one row, the plane, polyhedral laws, no friction; up to five times as many contacts as further down | Lemke |

@@ -81,12 +81,12 @@ fn is_direct(problem: &ContactProblem) -> bool {
 /// Whether it is a linear complementarity problem of more contacts, for which pivots on its principal minors are for sure where W is
 /// positive semidefinite.
 fn is_principal(problem: &ContactProblem) -> bool {
-    problem.is_frictionless() && is_iterated(problem) && problem.contacts() <= tolerance::LEMKE_LAST
+    problem.is_frictionless() && is_iterated(problem) && problem.contacts() <= tolerance::LEMKE_SOON
 }
 
 /// Parametric principal pivoting. What it says of a problem without solution is said with rounding, and is no proof.
 fn principal_pivots(problem: &ContactProblem, _: Option<&DVector<f64>>, _: f64) -> Result<Solution> {
-    let solver = ParametricPivoting::default();
+    let solver = ParametricPivoting { pivots: tolerance::PIVOTS_OF_A_CONTACT * problem.contacts() };
     solver.solve(problem, None).map_err(|_| Error::breakdown(solver.name(), "ended without a solution"))
 }
 

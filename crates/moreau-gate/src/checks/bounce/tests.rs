@@ -110,7 +110,7 @@ fn one_wrong_number_fails_at_every_step() {
         ("bounce/separating", Law { pressed: 0.9 * RESTITUTION, ..RIGHT }),
         ("bounce/separating", Law { pressed: -0.9 * RESTITUTION, ..RIGHT }),
         ("bounce/separating", Law { left: -RESTITUTION, ..RIGHT }),
-        ("bounce/turning-bar", Law { restitution: |_| RESTITUTION - 0.01, ..RIGHT }),
+        ("bounce/turning-bar", Law { restitution: |_| RESTITUTION - tolerance::wrong_while_turning(STEPS[0]), ..RIGHT }),
         ("bounce/turning-bar", Law { inertia: 1.02, ..RIGHT }),
     ];
     for h in STEPS {

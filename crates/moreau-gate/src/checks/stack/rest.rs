@@ -32,7 +32,7 @@ pub(super) struct Rest {
     held: Option<f64>,
     /// Speed that the declared law leaves a heavy box, and any box \[m/s\].
     speeds: Option<[f64; 2]>,
-    /// Angle \[rad\], shift and fall \[m\] by which a declared error reduction may tip the boxes.
+    /// Angle \[rad\], shift and fall \[m\] by which boxes may tip whose depths are taken back by declaration.
     tipped: Option<[f64; 3]>,
     /// Relative accuracy of impulses.
     solved: f64,
@@ -86,14 +86,17 @@ impl Rest {
         let opened = |part: usize, allowed: f64| {
             self.tipped.map(|tipped| Expectation::at_most(tipped[part], allowed, "corners whose depth is taken back open and fall"))
         };
+        let lowered = (self.sink.is_some() || self.tipped.is_some()).then(|| {
+            let [sink, fall] = [self.sink.unwrap_or(0.0), self.tipped.map_or(0.0, |[.., fall]| fall)];
+            Expectation::at_most(sink + fall, self.drift, "the declared contacts sink, and corners whose depth is taken back fall")
+        });
         let [depth, deepest] = self.landings.map(|landing| self.drift + landing);
         let held = self.held.map(|held| Expectation::equal(held, deepest, "the declared springs carry the load"));
         vec![
             Measurement::new("largest horizontal displacement while standing", "m", sideways, still(self.drift))
                 .predicted(opened(1, self.drift)),
             Measurement::new("largest rise while standing", "m", upwards, still(depth)).predicted(law(depth)),
-            Measurement::new("largest sinking while standing", "m", downwards, still(self.drift))
-                .predicted(opened(2, self.drift).or_else(|| law(self.drift))),
+            Measurement::new("largest sinking while standing", "m", downwards, still(self.drift)).predicted(lowered),
             Measurement::new("largest turn while standing", "rad", tilt, still(self.drift / (0.5 * WIDTH)))
                 .predicted(opened(0, self.drift / (0.5 * WIDTH))),
             Measurement::new("deepest overlap of neighbours", "m", overlap(trajectory), still(deepest))
@@ -139,10 +142,10 @@ pub(super) fn rise(model: &Model, landing: f64, (levels, steps): (usize, usize),
     reduction * landing * left / h + opening
 }
 
-/// Whether each depth is taken back to nothing by velocities within so many steps, so that corners open.
+/// Whether each depth is taken back to nothing within so many steps, by velocities or in the positions alone, so that corners open.
 fn opens(model: &Model, steps: usize) -> bool {
     match model {
-        Model::Coulomb(limits) => limits.penetration_allowance == 0.0 && vanishes(limits.error_reduction, steps as f64),
+        Model::Coulomb(limits) => limits.penetration_allowance == 0.0 && vanishes(limits.taken_back(), steps as f64),
         _ => false,
     }
 }

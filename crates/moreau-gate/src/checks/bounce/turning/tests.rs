@@ -73,8 +73,7 @@ fn verdicts(h: f64, law: (f64, f64)) -> Vec<(String, Verdict)> {
 fn the_closed_form_passes_and_another_restitution_or_moment_of_inertia_fails_at_every_step() {
     for h in SWEEP {
         assert!(verdicts(h, (RESTITUTION, 1.0)).iter().all(|(_, verdict)| *verdict == Verdict::Pass), "{h}");
-        // the lever is an older one by up to two steps
-        let wrong = tolerance::WRONG_IN_SUM + 0.4 * h;
+        let wrong = tolerance::wrong_while_turning(h);
         for wrong in [0.0, RESTITUTION + wrong, RESTITUTION - wrong] {
             for (quantity, verdict) in verdicts(h, (wrong, 1.0)) {
                 assert_eq!(verdict, Verdict::Fail, "{quantity} at e = {wrong}, {h}");
