@@ -18,6 +18,9 @@
 //! the face: such pairs are left out while they are apart. And if no pair is as near as the boxes are apart along the axis, the nearest
 //! points of their edges are a candidate too.
 //!
+//! A corner over the *rim* of the other face is inside or outside by rounding, and the clipping then also loses the crossing beside it: an
+//! edge of one box over a face that ends where the edge does would touch with one point. Corners over the rim are candidates always.
+//!
 //! Two edges that cross at a small angle ψ have no reliable common normal, and need none: there the outline of the overlap bends by ψ
 //! only, so the crossing lies within ψ L of the line between its neighbours, and its gap is theirs, interpolated, up to ψ L times
 //! the tilt of the faces. Such crossings are left out.
@@ -51,7 +54,8 @@ pub(super) fn manifold(
     contact_manifold_cuboid_cuboid(&pair.relative, &pair.cuboids[0], &pair.cuboids[1], f64::MAX, manifold);
     let [own, opposite] = pair.facing(manifold);
     let faces = share(&own, &opposite);
-    for touch in manifold.points.iter().filter_map(|point| pair.measure(point, manifold, faces.as_ref())) {
+    let rims = pair.over_rim(0, manifold).chain(pair.over_rim(1, manifold));
+    for touch in manifold.points.iter().copied().chain(rims).filter_map(|point| pair.measure(&point, manifold, faces.as_ref())) {
         if touch.gap > 0.0 && pair.overshoot(&touch) > BESIDE * touch.gap + SAME_POINT * pair.size {
             continue;
         }
@@ -128,6 +132,18 @@ impl<'a> Pair<'a> {
         Some(faces.map_or(touch, |faces| faces.join(touch)))
     }
 
+    /// Corners of a body's face that lie over the rim of the other one along the library's axis, up to [`SAME_POINT`].
+    fn over_rim(&self, body: usize, manifold: &ContactManifold<(), ()>) -> impl Iterator<Item = TrackedContact<()>> {
+        let (axes, other) = ([manifold.local_n1, manifold.local_n2], 1 - body);
+        let face = self.cuboids[body].support_face(axes[body]);
+        let (opposite, half_extents) = (self.cuboids[other].support_face(axes[other]).fid, self.cuboids[other].half_extents);
+        let into = if body == 0 { self.relative.inverse() } else { self.relative };
+        face.vertices.into_iter().zip(face.vids).filter_map(move |(corner, feature)| {
+            let (foot, distance) = on_rim(into * corner, axes[other], half_extents)?;
+            Some(TrackedContact::flipped(corner, foot, feature, opposite, distance, body == 1))
+        })
+    }
+
     /// How far the boxes are apart along the axis the library has chosen \[m\]; they are at least as far from each other.
     fn separation(&self, manifold: &ContactManifold<(), ()>) -> f64 {
         let axis = self.poses[0].rotation * Vector3::new(manifold.local_n1.x, manifold.local_n1.y, manifold.local_n1.z);
@@ -195,6 +211,17 @@ impl<'a> Pair<'a> {
         }
         best
     }
+}
+
+/// The foot of a place along an outward axis on the face of a box that looks along it, and how far it is, if the foot is on the face's rim.
+fn on_rim(place: Vector, along: Vector, half_extents: Vector) -> Option<(Vector, f64)> {
+    let [place, axis, half] = [place, along, half_extents].map(|x| Vector3::new(x.x, x.y, x.z));
+    let facing = axis.iamax();
+    let distance = place[facing] / axis[facing] - half[facing] / axis[facing].abs();
+    let foot = place - axis * distance;
+    let over = |k: usize| if k == facing { f64::NEG_INFINITY } else { foot[k].abs() - half[k] };
+    let farthest = over(0).max(over(1)).max(over(2));
+    (farthest.abs() <= SAME_POINT).then(|| (vector(foot), distance))
 }
 
 fn vector(x: Vector3<f64>) -> Vector {

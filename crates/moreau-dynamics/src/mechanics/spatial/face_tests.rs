@@ -288,3 +288,29 @@ fn exchanging_the_bodies_mirrors_a_face_contact() {
         }
     }
 }
+
+/// A box rolled about y whose lowest edge is over a face of a box as wide as it, up to a factor, anywhere: the candidates at that edge.
+fn edge_over_a_face(numbers: &mut Numbers, wider: f64) -> usize {
+    let (upper, lower) = ([0.3, 0.4, 0.2], [0.9, 0.4 * wider, 0.35]);
+    let mut vector = |size: f64| Vector3::from_fn(|_, _| numbers.next() * size);
+    let (place, world, shift) = (vector(1.0), UnitQuaternion::from_scaled_axis(vector(2.0)), vector(0.4));
+    let angle: f64 = 0.2 + shift[1].abs();
+    let height = upper[2] * angle.cos() + upper[0] * angle.sin() + lower[2];
+    let gap = 1e-3 * shift[2];
+    let turned = world * UnitQuaternion::from_scaled_axis(Vector3::y() * angle);
+    let pose = |centre: Vector3<f64>, turn: UnitQuaternion<f64>| [centre[0], centre[1], centre[2], turn.w, turn.i, turn.j, turn.k];
+    let above = place + world * Vector3::new(shift[0], 0.0, height + gap);
+    let q = DVector::from_iterator(14, [pose(above, turned), pose(place, world)].into_iter().flatten());
+    let found = box_box(upper, &Pose::of(0, &q), lower, &Pose::of(1, &q));
+    found.iter().filter(|touch| (touch.gap - gap).abs() <= rounding(256, 4.0)).count()
+}
+
+#[test]
+fn an_edge_over_a_face_that_ends_where_it_does_touches_at_both_ends() {
+    let mut numbers = Numbers(31);
+    for wider in [1.0, 1.0 - f64::EPSILON, 1.0 + f64::EPSILON, 2.0, 0.5] {
+        let found: Vec<usize> = (0..400).map(|_| edge_over_a_face(&mut numbers, wider)).collect();
+        let wrong = found.iter().filter(|count| **count != 2).count();
+        assert_eq!(wrong, 0, "of {} edges at width {wider}", found.len());
+    }
+}
