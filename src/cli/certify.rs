@@ -43,9 +43,9 @@ pub struct Arguments {
     /// Prove, in fractions, how far the nearest problem is that impulses near these solve exactly; and by intervals, within which radius
     /// the problem itself has a solution, or why that is not proved, and how many dimensions the impulses with its velocity have; whether
     /// velocities are unique; whether there is no solution at all; how many velocities there are, to six contacts in the plane and three in
-    /// space. Of polyhedral friction, in place of the radius, how far a solution of its complementarity problem is. Of a linear
+    /// space. Of polyhedral friction, besides, how far a solution of its complementarity problem is. Of a linear
     /// complementarity problem, moreover: how far a solution is, and how many there are; without an answer, the latter alone. Of a problem
-    /// with joints, all of this but the number of velocities; beside polyhedral contacts no radius.
+    /// with joints, all of this but the number of velocities.
     #[arg(long)]
     prove: bool,
     #[command(flatten)]

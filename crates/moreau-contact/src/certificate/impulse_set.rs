@@ -91,6 +91,8 @@ fn looked_at(problem: &ContactProblem, answer: &Solution, radius: &Radius, k: us
         ContactState::Open if y.is_positive() && !problem.law().is_convex() => Found::Open,
         ContactState::Open if y.is_positive() && friction == 0.0 => Found::Open,
         ContactState::Joined => Found::Inside(1),
+        // room in a polygon, and the two dimensions of its sides, are not looked at
+        _ if d == 3 && friction > 0.0 && problem.law().directions().is_some() => Found::Border,
         ContactState::Pressing if r(0).is_positive() => Found::Inside(1),
         ContactState::Sticking if r(0).is_positive() && room().is_positive() => Found::Inside(d),
         ContactState::Sliding if r(0).is_positive() => Found::Sliding,

@@ -4,7 +4,7 @@ use super::*;
 use crate::certificate::draw::Draw;
 use crate::certificate::planted::{Plant, with};
 use crate::problem::{ConstraintKind, Law};
-use crate::tolerance::sharpness::{EXCESS, FAR, MANY, NEAR, roundings};
+use crate::tolerance::sharpness::{EXCESS, FAR, FEW, MANY, NEAR, roundings};
 use moreau_exact::scalar::{Rational, exact};
 use nalgebra::{DMatrix, dmatrix, dvector};
 
@@ -185,7 +185,7 @@ fn a_soft_joint_has_the_velocity_that_its_impulse_leaves() {
 }
 
 #[test]
-fn polyhedral_contacts_beside_joints_are_proved_backward_and_refused_forward_by_name() {
+fn polyhedral_contacts_beside_joints_are_proved_backward_and_forward() {
     let kinds = vec![ConstraintKind::Bilateral { rows: 1 }, ConstraintKind::Contact];
     let problem = JointedProblem::new(3, kinds, DMatrix::identity(4, 4), dvector![1.0, -1.0, 2.0, 0.0]).unwrap();
     let problem = problem.law(Law::PolyhedralCoulomb { directions: 4 }, vec![0.0, 0.5]).unwrap();
@@ -193,8 +193,18 @@ fn polyhedral_contacts_beside_joints_are_proved_backward_and_refused_forward_by_
     let proof = backward_jointed(&problem, &impulse).unwrap();
     assert_eq!((proof.velocity, proof.states), (vec![0.0; 2], vec![HeldAs::Joined, HeldAs::Sliding]));
     let answer = Solution::new("", impulse.clone(), problem.velocity(&impulse), 0);
-    let Forward::NotProved(reason) = forward_jointed(&problem, &answer).unwrap().near else { panic!("no proof is there") };
-    assert!(reason.text.contains("polyhedral-coulomb") && reason.text.contains("joints"), "{reason:?}");
+    let NearJointed { near, impulses } = forward_jointed(&problem, &answer).unwrap();
+    let radius = near.proved().expect("it slides along an edge");
+    assert_eq!(radius.states, [ContactState::Joined, ContactState::Sliding]);
+    assert!(radius.velocity.iter().chain(&radius.impulse).all(|bound| *bound <= roundings(FEW)), "{radius:?}");
+    // W is the identity, so that one impulse gives the velocity; of polygons it is bounded by the rank of all rows
+    assert_eq!(impulses, Some(ImpulseSet { at_least: 0, at_most: 0 }));
+    let moved = &impulse + dvector![0.25, 0.0, 0.0, 0.0];
+    let answer = Solution::new("", moved.clone(), problem.velocity(&moved), 0);
+    let radius = forward_jointed(&problem, &answer).unwrap().near.proved().expect("the same solution");
+    for bounds in [&radius.velocity, &radius.impulse] {
+        assert!(bounds[0] >= 0.25 && bounds[0] <= 0.25 + roundings(FEW) && bounds[1] <= roundings(FEW), "{radius:?}");
+    }
 }
 
 #[test]

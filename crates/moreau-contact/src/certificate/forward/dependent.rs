@@ -6,7 +6,7 @@
 //! Where the rows B of the pattern's linear equations y = 0 are independent and the others depend on them, with their free velocities, the
 //! equations of D follow from those of B. Compliant rows are independent of all others: in M̂ and H each has a column of its own.
 
-use super::pattern::{Contact, ContactState, pressed_rows};
+use super::pattern::{Case, Contact, pressed_rows};
 use super::reason::Reason;
 use crate::certificate::planted::{Plant, planted};
 use crate::certificate::rank::{Entry, rank, surely_independent};
@@ -17,12 +17,12 @@ use crate::tolerance::proof::dependent_pivot;
 pub(super) fn dependent_rows(
     problem: &ContactProblem,
     contacts: &[Contact],
-    states: &[ContactState],
+    cases: &[Case],
     name: &dyn Fn(usize) -> String,
 ) -> Result<Vec<usize>, Reason> {
     let linear: Vec<usize> =
-        (0..contacts.len()).flat_map(|k| k * contacts[k].rows..k * contacts[k].rows + contacts[k].linear_rows(states[k])).collect();
-    let rows = entries(problem, &linear, &pressed_rows(contacts, states));
+        (0..contacts.len()).flat_map(|k| k * contacts[k].rows..k * contacts[k].rows + contacts[k].linear_rows(cases[k])).collect();
+    let rows = entries(problem, &linear, &pressed_rows(contacts, cases));
     let refused = |text: String, row: Option<usize>| Reason { text, contact: row.map(|row| row / problem.rows_per_contact()) };
     let too_long = || refused("deciding which of the rows depend exactly on others takes too long".into(), None);
     let independent = rank(&rows).ok_or_else(too_long)?;

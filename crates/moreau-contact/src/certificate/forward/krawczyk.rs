@@ -9,7 +9,7 @@
 //! only one in X. All sums are bounds: the product C J̃ is rounded, and its error is bounded a priori (Rump).
 
 use super::affine::{Affine, times};
-use super::pattern::{Contact, ContactState, Equations, of, places};
+use super::pattern::{Case, Contact, ContactState, Equations, of, places};
 use crate::certificate::interval::Interval;
 use crate::certificate::planted::{Plant, planted};
 use crate::tolerance::proof::{BOXES, CORRECTIONS, ENTRY, INFLATION, SMALLEST_BOX, enlarged, product};
@@ -34,7 +34,7 @@ pub(super) struct Failed {
 pub(super) struct System<'a> {
     pub affine: &'a Affine<'a>,
     pub contacts: &'a [Contact],
-    pub states: &'a [ContactState],
+    pub cases: &'a [Case],
     /// The unknown rows, which are among the columns of A.
     pub unknown: Vec<usize>,
 }
@@ -135,7 +135,7 @@ impl System<'_> {
     fn equations(&self, impulse: &[f64], radius: Option<&[f64]>) -> Vec<Equations> {
         let y = radius.map_or_else(|| self.affine.at(impulse), |radius| self.velocities(impulse, radius));
         let (r, rows) = (self.impulses(impulse, radius), self.rows());
-        let at = |k: usize| self.contacts[k].equations(self.states[k], &of(&r, k, rows)[..rows], &of(&y, k, rows)[..rows]);
+        let at = |k: usize| self.contacts[k].equations(self.cases[k], &of(&r, k, rows)[..rows], &of(&y, k, rows)[..rows]);
         (0..self.contacts.len()).map(at).collect()
     }
 
@@ -170,7 +170,7 @@ impl System<'_> {
     fn pushed(&self, radius: &[f64], unsure: &[f64]) -> Vec<f64> {
         let (rows, columns) = (self.rows(), places(self.affine, self.affine.matrix.nrows()));
         let mut found = vec![0.0; self.affine.matrix.nrows()];
-        for row in (0..found.len()).filter(|row| self.states[row / rows] == ContactState::Undecided) {
+        for row in (0..found.len()).filter(|row| self.cases[row / rows].state() == ContactState::Undecided) {
             let weight = self.contacts[row / rows].weights[usize::from(row % rows > 0)];
             let entry = |place: usize| f64::from(u8::from(columns[row] == Some(place))) - weight * self.affine.matrix[(row, place)];
             let rounded = |place: usize| ENTRY * (1.0 + weight * self.affine.matrix[(row, place)].abs());

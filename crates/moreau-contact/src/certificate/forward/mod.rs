@@ -18,13 +18,16 @@ mod dependent;
 mod krawczyk;
 mod mechanism;
 mod pattern;
+mod polygon;
+#[cfg(test)]
+mod polygon_tests;
 mod reason;
 #[cfg(test)]
 mod tests;
 
 use super::interval::Interval;
 use super::planted::{Plant, planted};
-use crate::problem::{ByRows, ContactProblem, Coordinates, Law, Solution};
+use crate::problem::{ByRows, ContactProblem, Coordinates, Solution};
 use crate::tolerance::proof::{PATTERNS, ROWS, enlarged};
 use affine::Affine;
 pub(super) use affine::times;
@@ -33,7 +36,7 @@ use krawczyk::{Enclosed, System};
 pub(super) use mechanism::uncertainty;
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
-use pattern::{Contact, of, pressed_rows, read_off};
+use pattern::{Case, Contact, of, pressed_rows, read_off};
 
 pub use pattern::ContactState;
 pub use reason::Reason;
@@ -108,9 +111,8 @@ pub fn forward(problem: &ContactProblem, answer: &Solution) -> Result<Forward> {
             return Err(Error::invalid(field, format!("is not {rows} finite numbers"), "give one number per row"));
         }
     }
-    if problem.law().directions().is_some() || problem.compliance().is_some_and(|soft| soft.coordinates == Coordinates::Edge) {
-        let text = format!("the law `{}` is proved as a linear complementarity problem, not here", problem.law().name());
-        return Ok(Forward::refused(text, None));
+    if problem.compliance().is_some_and(|soft| soft.coordinates == Coordinates::Edge) {
+        return Ok(Forward::refused("a compliance on edges has no proof of a solution near", None));
     }
     Ok(Proof::new(problem, answer, None).run())
 }
@@ -118,8 +120,8 @@ pub fn forward(problem: &ContactProblem, answer: &Solution) -> Result<Forward> {
 /// The same of a problem whose contacts may stand for bilateral rows; all numbers are finite, and as many as there are rows.
 pub(super) fn of_rows(rows: &ByRows, answer: &Solution) -> Forward {
     let problem = rows.contacts();
-    if problem.law().directions().is_some() {
-        return Forward::refused(format!("the law `{}` has no proof of a solution near beside joints", problem.law().name()), None);
+    if problem.compliance().is_some_and(|soft| soft.coordinates == Coordinates::Edge) {
+        return Forward::refused("a compliance on edges has no proof of a solution near", None);
     }
     Proof::new(problem, answer, Some(rows)).run()
 }
@@ -163,35 +165,35 @@ impl<'a> Proof<'a> {
     fn run(&self) -> Forward {
         let rows = self.problem.rows_per_contact();
         let mut impulse = self.answer.impulse.as_slice().to_vec();
-        let mut states = read_off(&self.contacts, rows, &impulse, self.problem.law_velocity(&self.answer.impulse).as_slice());
+        let mut cases = read_off(&self.contacts, rows, &impulse, self.problem.law_velocity(&self.answer.impulse).as_slice());
         let [mut left, mut borders] = [PATTERNS; 2];
         loop {
-            if pressed_rows(&self.contacts, &states).len() > ROWS {
+            if pressed_rows(&self.contacts, &cases).len() > ROWS {
                 return Forward::refused(format!("more than {ROWS} rows have an impulse; proofs are dense"), None);
             }
-            match self.attempt(&states, &impulse, &[]) {
+            match self.attempt(&cases, &impulse, &[]) {
                 Ended::Proved(radius) => return Forward::Proved(radius),
-                Ended::NotEnclosed(contact) => return self.with_dependent_rows(&states, &impulse, contact),
+                Ended::NotEnclosed(contact) => return self.with_dependent_rows(&cases, &impulse, contact),
                 Ended::Undecided { contacts, impulse: found, velocity } => {
                     let again = read_off(&self.contacts, rows, &found, &velocity);
-                    let changed = contacts.iter().any(|k| again[*k] != states[*k] && states[*k] != ContactState::Undecided);
+                    let changed = contacts.iter().any(|k| again[*k] != cases[*k] && cases[*k].state() != ContactState::Undecided);
                     if changed && left > 0 {
                         left -= 1;
-                        contacts.iter().for_each(|k| states[*k] = again[*k]);
+                        contacts.iter().for_each(|k| cases[*k] = again[*k]);
                         impulse = found;
-                    } else if self.problem.law() == Law::Associated || borders == 0 {
-                        return Forward::refused(self.border(contacts[0], &states), contacts[0]);
+                    } else if borders == 0 || !contacts.iter().all(|k| self.contacts[*k].has_borders()) {
+                        return Forward::refused(self.border(contacts[0], &cases), contacts[0]);
                     } else {
                         (left, borders) = (0, borders - 1);
-                        contacts.iter().for_each(|k| states[*k] = ContactState::Undecided);
+                        contacts.iter().for_each(|k| cases[*k] = Case::Is(ContactState::Undecided));
                     }
                 }
             }
         }
     }
 
-    fn border(&self, contact: usize, states: &[ContactState]) -> String {
-        let between = match states[contact] {
+    fn border(&self, contact: usize, cases: &[Case]) -> String {
+        let between = match cases[contact].state() {
             ContactState::Open => "opening and pressing",
             ContactState::Pressing => "pressing and opening",
             ContactState::Sticking => "sticking and sliding or opening",
@@ -203,19 +205,19 @@ impl<'a> Proof<'a> {
     }
 
     /// Takes the impulses of exactly dependent rows as given.
-    fn with_dependent_rows(&self, states: &[ContactState], impulse: &[f64], contact: usize) -> Forward {
+    fn with_dependent_rows(&self, cases: &[Case], impulse: &[f64], contact: usize) -> Forward {
         let rows = self.problem.rows_per_contact();
-        match dependent::dependent_rows(self.problem, &self.contacts, states, &|k| self.name(k)) {
+        match dependent::dependent_rows(self.problem, &self.contacts, cases, &|k| self.name(k)) {
             Err(reason) => Forward::NotProved(reason),
             Ok(dependent) if dependent.is_empty() => {
-                let what = if states[contact] == ContactState::Undecided {
+                let what = if cases[contact].state() == ContactState::Undecided {
                     "on a border, and coupled to others"
                 } else {
                     "nearly dependent on others"
                 };
                 Forward::refused(format!("the equations of {} are {what}", self.name(contact)), contact)
             }
-            Ok(dependent) => match self.attempt(states, impulse, &dependent) {
+            Ok(dependent) => match self.attempt(cases, impulse, &dependent) {
                 Ended::Proved(radius) => Forward::Proved(radius),
                 Ended::NotEnclosed(contact) => {
                     let text = format!(
@@ -229,7 +231,7 @@ impl<'a> Proof<'a> {
                     let k = contacts[0];
                     let text = format!(
                         "{}, where {} rows depend exactly on others (the first at {})",
-                        self.border(k, states),
+                        self.border(k, cases),
                         dependent.len(),
                         self.name(dependent[0] / rows)
                     );
@@ -239,33 +241,33 @@ impl<'a> Proof<'a> {
         }
     }
 
-    fn attempt(&self, states: &[ContactState], impulse: &[f64], given: &[usize]) -> Ended {
-        let columns = pressed_rows(&self.contacts, states);
+    fn attempt(&self, cases: &[Case], impulse: &[f64], given: &[usize]) -> Ended {
+        let columns = pressed_rows(&self.contacts, cases);
         let affine = Affine::new(self.problem, columns.clone(), self.radius.as_ref());
         let unknown = columns.iter().copied().filter(|row| !given.contains(row)).collect();
-        let system = System { affine: &affine, contacts: &self.contacts, states, unknown };
+        let system = System { affine: &affine, contacts: &self.contacts, cases, unknown };
         let middle = system.corrected(columns.iter().map(|row| impulse[*row]).collect());
         let found = match system.enclosed(middle) {
             Ok(found) => found,
             Err(failed) => return Ended::NotEnclosed(failed.contact),
         };
         let (rows, boxed) = (self.problem.rows_per_contact(), system.impulses(&found.middle, Some(&found.radius)));
-        let at = |k: usize| self.contacts[k].holds(states[k], &of(&boxed, k, rows)[..rows], &of(&found.velocity, k, rows)[..rows]);
-        let undecided: Vec<usize> = (0..states.len()).filter(|k| !at(*k) && !planted(Plant::Signs)).collect();
+        let at = |k: usize| self.contacts[k].holds(cases[k], &of(&boxed, k, rows)[..rows], &of(&found.velocity, k, rows)[..rows]);
+        let undecided: Vec<usize> = (0..cases.len()).filter(|k| !at(*k) && !planted(Plant::Signs)).collect();
         if undecided.is_empty() {
-            return Ended::Proved(self.measured(states, &boxed, &found, given));
+            return Ended::Proved(self.measured(cases, &boxed, &found, given));
         }
         let middle = |all: &[Interval]| all.iter().map(|x| x.middle()).collect();
         Ended::Undecided { contacts: undecided, impulse: middle(&boxed), velocity: middle(&found.velocity) }
     }
 
     /// The distances of the answer from everything in the box.
-    fn measured(&self, states: &[ContactState], impulse: &[Interval], found: &Enclosed, given: &[usize]) -> Radius {
+    fn measured(&self, cases: &[Case], impulse: &[Interval], found: &Enclosed, given: &[usize]) -> Radius {
         let rows = self.problem.rows_per_contact();
         let contact = |k: usize, row: usize| -> Interval {
             // u = y − shift − R r; y is zero where the pattern says so
             let at = k * rows + row;
-            let zero = row < self.contacts[k].linear_rows(states[k]);
+            let zero = row < self.contacts[k].linear_rows(cases[k]);
             let y = if zero { Interval::ZERO } else { found.velocity[at] };
             y - Interval::point(self.problem.shift()[at]) - Interval::point(self.problem.row_compliance(at)) * impulse[at]
         };
@@ -273,7 +275,7 @@ impl<'a> Proof<'a> {
         let part = if planted(Plant::Radius) { 0.5 } else { 1.0 };
         let bound = |differences: Vec<f64>| if differences.iter().all(|d| *d == 0.0) { 0.0 } else { part * size(differences) };
         let all = 0..self.contacts.len();
-        let told = |k: usize| match states[k] {
+        let told = |k: usize| match cases[k].state() {
             ContactState::Undecided => self.contacts[k].decided(&of(impulse, k, rows)[..rows], &of(&found.velocity, k, rows)[..rows]),
             state => state,
         };

@@ -12,8 +12,11 @@
 //! The equations of a decided contact are smooth; where its inequalities hold strictly, a solution of the equations solves the law. An
 //! undecided contact is one on the border between two cases. Its equations are those of Coulomb's law itself (Alart and Curnier) and only
 //! Lipschitz: in place of a derivative stands the hull of the generalised Jacobian, which has the mean value property as well.
+//!
+//! Polyhedral laws in the plane are the round ones; in space their edges and sides are in `polygon`.
 
 use super::affine::Affine;
+use super::polygon::Polygon;
 use crate::certificate::interval::Interval;
 use crate::problem::{ContactProblem, Law};
 
@@ -34,6 +37,26 @@ pub enum ContactState {
     Joined,
 }
 
+/// What a contact is taken to do, under a polyhedral law with the place of its impulse on the cone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Case {
+    Is(ContactState),
+    /// On edge j of the cone.
+    Edge(usize),
+    /// Between edges j and j + 1.
+    Side(usize),
+}
+
+impl Case {
+    /// In the words of every law.
+    pub fn state(self) -> ContactState {
+        match self {
+            Case::Is(state) => state,
+            Case::Edge(_) | Case::Side(_) => ContactState::Sliding,
+        }
+    }
+}
+
 /// Interval blocks of one contact: value and derivatives of its equations, by r, by y, and by z = r − ρ y.
 pub(super) struct Equations {
     pub value: [Interval; 3],
@@ -45,7 +68,10 @@ pub(super) struct Equations {
 /// One contact with its law.
 #[derive(Clone, Copy)]
 pub(super) struct Contact {
-    pub law: Law,
+    /// The associated law in place of Coulomb's.
+    associated: bool,
+    /// The directions of friction in space, if they are finitely many.
+    polygon: Option<Polygon>,
     pub friction: f64,
     pub rows: usize,
     /// ρ_n, ρ_t \[kg\].
@@ -64,27 +90,38 @@ impl Contact {
         let inverse = |diagonal: f64| if diagonal > 0.0 { 1.0 / diagonal } else { 1.0 };
         let tangential = (1..rows).map(entry).fold(0.0, f64::max);
         let friction = if rows == 1 { 0.0 } else { problem.law().cone_friction(problem.friction()[k]) };
-        Contact { law: problem.law(), friction, rows, weights: [inverse(entry(0)), inverse(tangential)], joined }
+        let associated = matches!(problem.law(), Law::Associated | Law::PolyhedralAssociated { .. });
+        let directions = problem.law().directions().filter(|_| rows == 3 && friction > 0.0);
+        let polygon = directions.map(|directions| Polygon { directions, friction, associated });
+        Contact { associated, polygon, friction, rows, weights: [inverse(entry(0)), inverse(tangential)], joined }
+    }
+
+    /// Whether a border between two cases has equations.
+    pub fn has_borders(&self) -> bool {
+        !self.associated && self.polygon.is_none()
     }
 
     /// The case nearest to r and y.
-    pub fn state(&self, r: &[f64], y: &[f64]) -> ContactState {
+    pub fn case(&self, r: &[f64], y: &[f64]) -> Case {
         let [normal, tangential] = self.weights;
-        let slip = y[1..].iter().fold(0.0_f64, |sum, y| sum.hypot(*y));
-        let lift = if self.law == Law::Associated { self.friction * slip } else { 0.0 };
-        let pushed = (1..self.rows).map(|i| r[i] - tangential * y[i]).fold(0.0_f64, f64::hypot);
-        match self.friction {
+        let length = y[1..].iter().fold(0.0_f64, |sum, y| sum.hypot(*y));
+        let slip = self.polygon.map_or(length, |polygon| polygon.slip([y[1], y[2]]));
+        let lift = if self.associated { self.friction * slip } else { 0.0 };
+        let pushed = |i: usize| r[i] - tangential * y[i];
+        let bound = self.friction * r[0];
+        Case::Is(match (self.friction, self.polygon) {
             _ if self.joined => ContactState::Joined,
             _ if r[0] <= normal * (y[0] - lift) || r[0] <= 0.0 => ContactState::Open,
-            0.0 => ContactState::Pressing,
-            mu if pushed > mu * r[0] && slip > 0.0 => ContactState::Sliding,
+            (0.0, _) => ContactState::Pressing,
+            (_, Some(polygon)) => return polygon.nearest(bound, [pushed(1), pushed(2)]).unwrap_or(Case::Is(ContactState::Sticking)),
+            _ if (1..self.rows).map(pushed).fold(0.0_f64, f64::hypot) > bound && slip > 0.0 => ContactState::Sliding,
             _ => ContactState::Sticking,
-        }
+        })
     }
 
     /// The rows whose impulses are unknown.
-    pub fn unknowns(&self, state: ContactState) -> usize {
-        match state {
+    pub fn unknowns(&self, case: Case) -> usize {
+        match case.state() {
             ContactState::Open => 0,
             ContactState::Pressing | ContactState::Joined => 1,
             ContactState::Undecided if self.friction == 0.0 => 1,
@@ -93,28 +130,31 @@ impl Contact {
     }
 
     /// How many of its first rows are equations y = 0, linear in the impulses.
-    pub fn linear_rows(&self, state: ContactState) -> usize {
-        match state {
+    pub fn linear_rows(&self, case: Case) -> usize {
+        match case.state() {
             ContactState::Sticking => self.rows,
             ContactState::Pressing | ContactState::Joined => 1,
-            ContactState::Sliding if self.law != Law::Associated => 1,
+            ContactState::Sliding if !self.associated => 1,
             _ => 0,
         }
     }
 
     /// The equations of this case where the impulse is in r and the velocity in y.
-    pub fn equations(&self, state: ContactState, r: &[Interval], y: &[Interval]) -> Equations {
+    pub fn equations(&self, case: Case, r: &[Interval], y: &[Interval]) -> Equations {
         let none = [[ZERO; 3]; 3];
         let mut made = Equations { value: [ZERO; 3], by_impulse: none, by_velocity: none, by_pushed: none };
-        match state {
+        match case.state() {
             ContactState::Open => {}
             ContactState::Pressing | ContactState::Sticking | ContactState::Joined => {
-                for (i, y) in y.iter().enumerate().take(self.unknowns(state)) {
+                for (i, y) in y.iter().enumerate().take(self.unknowns(case)) {
                     made.value[i] = *y;
                     made.by_velocity[i][i] = Interval::ONE;
                 }
             }
-            ContactState::Sliding => self.slide(r, y, &mut made),
+            ContactState::Sliding => match self.polygon {
+                Some(polygon) => polygon.write(case, r, y, &mut made),
+                None => self.slide(r, y, &mut made),
+            },
             ContactState::Undecided => self.natural_map(r, y, &mut made),
         }
         made
@@ -124,7 +164,7 @@ impl Contact {
         let (mu, slip) = (Interval::point(self.friction), length(&y[1..]));
         let t: Vec<Interval> = y[1..].iter().map(|y| component(*y, slip, self.rows)).collect();
         (made.value[0], made.by_velocity[0][0]) = (y[0], Interval::ONE);
-        if self.law == Law::Associated {
+        if self.associated {
             made.value[0] = y[0] - mu * slip;
             (1..self.rows).for_each(|j| made.by_velocity[0][j] = -(mu * t[j - 1]));
         }
@@ -199,12 +239,23 @@ impl Contact {
     }
 
     /// Whether the law's inequalities hold for every impulse in r and velocity in y of this case.
-    pub fn holds(&self, state: ContactState, r: &[Interval], y: &[Interval]) -> bool {
+    pub fn holds(&self, case: Case, r: &[Interval], y: &[Interval]) -> bool {
+        match (self.polygon, case) {
+            (None, Case::Is(state)) => self.holds_round(state, r, y),
+            (None, _) => false,
+            (Some(polygon), Case::Is(ContactState::Open)) => polygon.opens(y),
+            (Some(polygon), Case::Is(ContactState::Sticking)) => polygon.holds_inside(r),
+            (Some(polygon), Case::Edge(_) | Case::Side(_)) => polygon.holds(case, r, y),
+            (Some(_), Case::Is(state)) => state == ContactState::Joined,
+        }
+    }
+
+    fn holds_round(&self, state: ContactState, r: &[Interval], y: &[Interval]) -> bool {
         let pushes = r[0].low >= 0.0;
         let squares = |of: &[Interval]| of[1..].iter().fold(ZERO, |sum, x| sum + x.square());
         let mu_squared = Interval::point(self.friction).square();
         match state {
-            ContactState::Open if self.law == Law::Associated => y[0].low >= 0.0 && (y[0].square() - mu_squared * squares(y)).low >= 0.0,
+            ContactState::Open if self.associated => y[0].low >= 0.0 && (y[0].square() - mu_squared * squares(y)).low >= 0.0,
             ContactState::Open => y[0].low >= 0.0,
             ContactState::Pressing => pushes,
             ContactState::Sticking => pushes && (mu_squared * r[0].square() - squares(r)).low >= 0.0,
@@ -267,15 +318,15 @@ fn between(switch: Interval, first: Interval, second: Interval) -> Interval {
     }
 }
 
-/// The states of all contacts at r and y, those kept that are undecided.
-pub(super) fn read_off(contacts: &[Contact], affine_rows: usize, r: &[f64], y: &[f64]) -> Vec<ContactState> {
+/// The cases of all contacts at r and y.
+pub(super) fn read_off(contacts: &[Contact], affine_rows: usize, r: &[f64], y: &[f64]) -> Vec<Case> {
     let at = |k: usize| k * affine_rows..(k + 1) * affine_rows;
-    contacts.iter().enumerate().map(|(k, contact)| contact.state(&r[at(k)], &y[at(k)])).collect()
+    contacts.iter().enumerate().map(|(k, contact)| contact.case(&r[at(k)], &y[at(k)])).collect()
 }
 
 /// The rows with an impulse, contact by contact.
-pub(super) fn pressed_rows(contacts: &[Contact], states: &[ContactState]) -> Vec<usize> {
-    let rows = |k: usize| k * contacts[k].rows..k * contacts[k].rows + contacts[k].unknowns(states[k]);
+pub(super) fn pressed_rows(contacts: &[Contact], cases: &[Case]) -> Vec<usize> {
+    let rows = |k: usize| k * contacts[k].rows..k * contacts[k].rows + contacts[k].unknowns(cases[k]);
     (0..contacts.len()).flat_map(rows).collect()
 }
 

@@ -4,6 +4,7 @@ use super::*;
 use crate::certificate::backward::backward;
 use crate::certificate::draw::Draw;
 use crate::certificate::planted::with;
+use crate::problem::{Compliance, Law};
 use crate::tolerance::sharpness::{EXCESS, FAR, FEW, MANY, NEAR, REDUNDANT, SOME, roundings};
 use moreau_exact::scalar::{Rational, exact};
 use nalgebra::{DVector, dvector};
@@ -51,14 +52,14 @@ fn known(law: Law, contacts: usize, seed: u64) -> (ContactProblem, Solution, Vec
     (problem, Solution::new("by construction", r, velocity, 0), states)
 }
 
-fn is_exact(problem: &ContactProblem, solution: &Solution) -> bool {
+pub(super) fn is_exact(problem: &ContactProblem, solution: &Solution) -> bool {
     (0..problem.rows()).all(|row| {
         let terms = (0..problem.rows()).map(|j| exact(problem.entry(row, j)) * exact(solution.impulse[j]));
         terms.fold(exact(problem.free_velocity()[row]), |sum: Rational, term| sum + term) == exact(solution.velocity[row])
     })
 }
 
-fn contact_norm(difference: &DVector<f64>, k: usize) -> f64 {
+pub(super) fn contact_norm(difference: &DVector<f64>, k: usize) -> f64 {
     difference.rows(3 * k, 3).norm()
 }
 
@@ -170,11 +171,13 @@ fn a_grazing_contact_is_proved_by_the_law_itself() {
 }
 
 #[test]
-fn a_polyhedral_law_and_numbers_that_are_none_are_refused_by_name() {
+fn a_compliance_on_edges_and_numbers_that_are_none_are_refused_by_name() {
     let (problem, solution, _) = known(Law::Coulomb, 1, 1);
-    let pyramid = problem.clone().into_builder().law(Law::PolyhedralCoulomb { directions: 4 }).build().expect("sizes fit");
-    let Forward::NotProved(reason) = forward(&pyramid, &solution).expect("finite numbers") else { panic!("not a cone law") };
-    assert!(reason.text.contains("polyhedral-coulomb"));
+    let soft = Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(4, 1.0) };
+    let law = Law::PolyhedralAssociated { directions: 4 };
+    let pyramid = problem.clone().into_builder().law(law).compliance(Some(soft)).build().expect("sizes fit");
+    let Forward::NotProved(reason) = forward(&pyramid, &solution).expect("finite numbers") else { panic!("not a law of r and y") };
+    assert!(reason.text.contains("compliance on edges"));
     let wrong = Solution::new("", dvector![1.0], dvector![0.0], 0);
     assert!(forward(&problem, &wrong).is_err());
     let mut nan = solution.clone();
@@ -196,7 +199,7 @@ fn the_planar_law_is_linear_and_its_solution_is_enclosed_to_rounding() {
 }
 
 /// A table of 1 kg that stands on four feet, all numbers binary, on a floor that it slides over, sticks to, or both.
-fn table(friction: f64, free: [f64; 6], shift: f64) -> ContactProblem {
+pub(super) fn table(friction: f64, free: [f64; 6], shift: f64) -> ContactProblem {
     let feet = [[1.0, 1.0], [1.0, -1.0], [-1.0, -1.0], [-1.0, 1.0]];
     // velocities of the centre and of rotation; a foot at (x, y, −½)
     let mut jacobian = DMatrix::zeros(12, 6);
