@@ -100,6 +100,10 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     if let Some((_, twice)) = arguments.solver.iter().enumerate().find(|(place, name)| arguments.solver[..*place].contains(name)) {
         return Err(Error::invalid("--solver", format!("names `{twice}` twice"), "name every solver once"));
     }
+    if let Some(several) = arguments.solver.iter().find(|name| name.contains(',')) {
+        let each = several.split(',').map(|name| format!("--solver {}", name.trim())).collect::<Vec<_>>().join(" ");
+        return Err(Error::invalid("--solver", format!("is `{several}`, several names"), format!("give it once for each: {each}")));
+    }
     let named = |name: &String| arguments.tolerance.solver(name, None);
     let solvers: Vec<Box<dyn ContactSolver>> = arguments.solver.iter().map(named).collect::<Result<_>>()?;
     let files = files(&arguments.problems)?;

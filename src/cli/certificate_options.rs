@@ -27,8 +27,13 @@ impl CertificateOptions {
 
     /// The answer is no if steps were rejected and `--accept-rejected` is absent.
     pub fn answer(&self, rejected: bool) -> Answer {
-        if rejected && self.accept_rejected {
-            print_aside("warning: the certificate rejects steps of this motion; --accept-rejected lets it pass\n");
+        if rejected {
+            let cure = if self.accept_rejected {
+                "warning: the certificate rejects steps of this motion; --accept-rejected lets it pass\n"
+            } else {
+                "the certificate rejects steps of this motion: exit code 1; --dump-rejected of `moreau simulate` writes them\n"
+            };
+            print_aside(cure);
         }
         (!rejected || self.accept_rejected).into()
     }

@@ -28,13 +28,17 @@ pub fn remark(recording: &Recording, mechanism: &dyn Mechanism, scene: &Scene) -
     let (first, second) = deepest.pair;
     let [depth, size] = [deepest.depth, deepest.size].map(significant);
     Some(format!(
-        "{} and {} overlap by {depth} m at t = {} s, {} % of the smallest half extent of {}, {size} m; a smaller --step makes it less, \
-         unless the contact is as soft as that",
+        "{} and {} overlap by {depth} m at t = {} s, {} % of the smallest half extent of {}, {size} m; {}",
         name(first),
         second.map_or("ground", name),
         significant(deepest.time),
         two_digits(100.0 * deepest.depth / deepest.size),
-        name(deepest.body)
+        name(deepest.body),
+        if deepest.time > recording.samples.first().map_or(0.0, |start| start.time) {
+            "a smaller --step makes it less, unless the contact is as soft as that"
+        } else {
+            "they are placed so: the positions of the scene say it"
+        }
     ))
 }
 
@@ -81,6 +85,17 @@ mod tests {
         let text = remarked(0.05).expect("it lands at 4.4 m/s, up to 0.22 m a step");
         assert!(text.starts_with("ball and ground overlap by ") && text.contains("half extent of ball, 0.1 m"), "{text}");
         assert_eq!(remarked(0.001), None);
+    }
+
+    #[test]
+    fn bodies_that_overlap_from_the_beginning_are_not_told_to_take_a_smaller_step() {
+        let mut scene = named("ball-drop").expect("built in");
+        scene.bodies[0].position[2] = 0.02;
+        let (mechanism, start) = scene.mechanism().expect("planar");
+        let run = simulate(&MoreauJean::default(), &Auto, mechanism.as_ref(), start, 0.001, 3).expect("a ball");
+        let text = remark(&run, mechanism.as_ref(), &scene).expect("eighty per cent of its radius");
+        assert!(text.contains("placed so") && !text.contains("--step"), "{text}");
+        assert!(remarked(0.05).is_some_and(|text| text.contains("--step") && !text.contains("placed")));
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use moreau_exact::{Error, Result};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
+use serde_path_to_error::{Path, Segment};
 
 /// Reads a value from JSON text whose `schema` entry must be `schema`.
 ///
@@ -46,11 +47,16 @@ pub fn schema_of<'a>(text: &str, schemas: &[&'a str]) -> Result<&'a str> {
 /// # Errors
 /// [`Error::Json`] if the text is not JSON; [`Error::Invalid`] names the field where it is not what the schema says.
 pub fn read_object<T: DeserializeOwned>(text: &str, schema: &str) -> Result<T> {
-    serde_json::from_str(text).map_err(|error| name_field(text, schema, error))
+    serde_json::from_str(text).map_err(|error| {
+        let mut reader = serde_json::Deserializer::from_str(text);
+        // read once more: to know the path on the way costs time, and only this text needs it
+        let path = serde_path_to_error::deserialize::<_, T>(&mut reader).err().map(|failed| failed.path().clone());
+        name_field(text, schema, error, path.as_ref())
+    })
 }
 
-/// The error with the last key before the place where reading stopped.
-fn name_field(text: &str, schema: &str, error: serde_json::Error) -> Error {
+/// The error with the last key before the place where reading stopped, and the path to it.
+fn name_field(text: &str, schema: &str, error: serde_json::Error, path: Option<&Path>) -> Error {
     use serde_json::error::Category;
     if error.classify() == Category::Eof {
         return ends_early(text, &error);
@@ -67,10 +73,26 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error) -> Error {
     };
     let field = named(&error).or_else(|| last_key(text, error.line(), error.column()));
     match field.filter(|_| !error.to_string().starts_with("trailing characters")) {
-        Some(field) => Error::invalid(field, problem, cure),
+        Some(field) => Error::invalid(within(path, field), problem, cure),
         None if error.classify() == Category::Syntax => Error::Unsupported(format!("{problem}; one object in braces is a whole file")),
         None => Error::Json(error),
     }
+}
+
+/// A field with the objects and lists around it, as `bodies[0].position`.
+fn within(path: Option<&Path>, field: String) -> String {
+    let mut around: Vec<&Segment> = path.map_or_else(Vec::new, |path| path.iter().collect());
+    let is_key = |segment: &Segment| matches!(segment, Segment::Map { key } if *key == field);
+    // what is inside of the field, and the field itself; a field that is missing or unknown is not on the path
+    let end = around.iter().rposition(|segment| is_key(segment)).unwrap_or(around.len());
+    around.truncate(end);
+    let outer = around.iter().fold(String::new(), |path, segment| match segment {
+        Segment::Seq { index } => format!("{path}[{index}]"),
+        Segment::Map { key } if path.is_empty() => key.clone(),
+        Segment::Map { key } => format!("{path}.{key}"),
+        Segment::Enum { .. } | Segment::Unknown => path,
+    });
+    if outer.is_empty() { field } else { format!("{outer}.{field}") }
 }
 
 /// What to do about a word where JSON has no such one.
@@ -173,5 +195,28 @@ mod tests {
             assert!(message(text).contains("not a JSON object"), "{text}");
         }
         assert!(message(" \n").contains("the text is empty"));
+    }
+
+    #[derive(Debug, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    #[allow(dead_code)]
+    struct Pairs {
+        schema: String,
+        pairs: Vec<Pair>,
+        one: Option<Box<Pair>>,
+    }
+
+    #[test]
+    fn errors_in_objects_within_lists_name_the_way_to_the_field() {
+        let whole = r#"{"schema":"a","first":[1],"second":2}"#;
+        let message = |inner: &str| {
+            let text = format!(r#"{{"schema":"pairs/1","pairs":[{whole},{inner}],"one":{inner}}}"#);
+            read_schema::<Pairs>(&text, "pairs/1").unwrap_err().to_string()
+        };
+        assert!(message(&whole.replace("[1]", r#"[1,"x"]"#)).contains("`pairs[1].first`"));
+        assert!(message(&whole.replace(r#""second":2"#, r#""secnd":2"#)).contains("`pairs[1].secnd`: unknown"));
+        assert!(message(&whole.replace(r#","second":2"#, "")).contains("`pairs[1].second`: missing"));
+        let alone = format!(r#"{{"schema":"pairs/1","pairs":[],"one":{}}}"#, whole.replace(":2", ":[]"));
+        assert!(read_schema::<Pairs>(&alone, "pairs/1").unwrap_err().to_string().contains("`one.second`"));
     }
 }
