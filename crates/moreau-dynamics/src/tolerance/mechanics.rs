@@ -84,6 +84,12 @@ pub const ARCS: usize = 32;
 /// Set.
 pub const ROOT_STEPS: usize = 64;
 
+/// How far a corner may lie outside of a face, relative to the size of the boxes, and still be over its rim: 4096 ε. Places of bodies whose
+/// centres are up to a hundred times their size from the origin are rounded by less; the gap of such a corner is negative by no more than
+/// this where the boxes are apart.
+/// Set.
+pub const ON_RIM: f64 = 4096.0 * f64::EPSILON;
+
 /// Contact points of two boxes nearer than this, relative to their size, are one: √ε, far above the rounding with which
 /// clipping finds the same corner twice, far below any lever arm that matters.
 /// Set.

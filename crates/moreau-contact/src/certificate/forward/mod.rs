@@ -11,7 +11,8 @@
 //! Where M̂ and H are known, the problem is the one of the exact H M̂⁻¹ Hᵀ, and the proof covers the stored W as well: both are within what
 //! `mechanism` bounds. Rows that depend on each other exactly, decided in fractions from M̂ and H where they are known and from W otherwise
 //! (`dependent`), leave impulses undetermined: those of the dependent rows are taken as the answer gives them, and the solution is one of
-//! many with the same velocities. Where numbers are nearly but not exactly dependent there is no proof, and the contact is named.
+//! many with the same velocities; of M̂ and H the proof is then that of the exact operator alone. Where numbers are nearly but not exactly
+//! dependent, or equations other than y = 0 are dependent, there is no proof, and the contact is named.
 
 mod affine;
 mod dependent;
@@ -193,6 +194,9 @@ impl<'a> Proof<'a> {
     }
 
     fn border(&self, contact: usize, cases: &[Case]) -> String {
+        if let Case::Edge(_) | Case::Side(_) = cases[contact] {
+            return format!("{} is on the border of the edge or side of its cone on which it slides", self.name(contact));
+        }
         let between = match cases[contact].state() {
             ContactState::Open => "opening and pressing",
             ContactState::Pressing => "pressing and opening",
@@ -210,18 +214,20 @@ impl<'a> Proof<'a> {
         match dependent::dependent_rows(self.problem, &self.contacts, cases, &|k| self.name(k)) {
             Err(reason) => Forward::NotProved(reason),
             Ok(dependent) if dependent.is_empty() => {
-                let what = if cases[contact].state() == ContactState::Undecided {
-                    "on a border, and coupled to others"
-                } else {
-                    "nearly dependent on others"
+                let what = match cases[contact] {
+                    Case::Is(ContactState::Undecided) => "on a border, and coupled to others",
+                    Case::Is(_) => "nearly dependent on others",
+                    Case::Edge(_) | Case::Side(_) => "dependent on others, or nearly",
                 };
                 Forward::refused(format!("the equations of {} are {what}", self.name(contact)), contact)
             }
             Ok(dependent) => match self.attempt(cases, impulse, &dependent) {
                 Ended::Proved(radius) => Forward::Proved(radius),
                 Ended::NotEnclosed(contact) => {
+                    let nearly =
+                        if cases[contact] == Case::Is(cases[contact].state()) { "nearly dependent" } else { "dependent, or nearly," };
                     let text = format!(
-                        "{} rows depend exactly on others, and the equations of {} are nearly dependent besides",
+                        "{} rows depend exactly on others, and the equations of {} are {nearly} besides",
                         dependent.len(),
                         self.name(contact)
                     );
@@ -275,10 +281,7 @@ impl<'a> Proof<'a> {
         let part = if planted(Plant::Radius) { 0.5 } else { 1.0 };
         let bound = |differences: Vec<f64>| if differences.iter().all(|d| *d == 0.0) { 0.0 } else { part * size(differences) };
         let all = 0..self.contacts.len();
-        let told = |k: usize| match cases[k].state() {
-            ContactState::Undecided => self.contacts[k].decided(&of(impulse, k, rows)[..rows], &of(&found.velocity, k, rows)[..rows]),
-            state => state,
-        };
+        let told = |k: usize| self.contacts[k].told(cases[k], &of(impulse, k, rows)[..rows], &of(&found.velocity, k, rows)[..rows]);
         let velocity = |k: usize| (0..rows).map(|row| contact(k, row).reach(self.answer.velocity[k * rows + row])).collect();
         let moved = |k: usize| (0..rows).map(|row| impulse[k * rows + row].reach(self.answer.impulse[k * rows + row])).collect();
         Radius {

@@ -23,12 +23,17 @@
 //!
 //! Two edges that cross at a small angle ψ have no reliable common normal, and need none: there the outline of the overlap bends by ψ
 //! only, so the crossing lies within ψ L of the line between its neighbours, and its gap is theirs, interpolated, up to ψ L times
-//! the tilt of the faces. Such crossings are left out.
+//! the tilt of the faces. Such crossings are left out, but where the faces lie on opposite sides of the edges: there the overlap is a
+//! sliver, and the crossing its tip.
+//!
+//! Edges that are nearly parallel over each other and tilted against each other have a common normal along the faces. No contact is
+//! where it points out of neither body: it must have no part against a face beside either edge, up to [`BESIDE`], and its feet must be on
+//! the edges.
 
 use super::faces::Faces;
 use super::shape::Pose;
 use super::touch::{Touch, Touches, direction};
-use crate::tolerance::mechanics::{BESIDE, PARALLEL, SAME_POINT};
+use crate::tolerance::mechanics::{BESIDE, ON_RIM, PARALLEL, SAME_POINT};
 use nalgebra::Vector3;
 use parry3d_f64::math::{Pose as ParryPose, Rotation, Vector};
 use parry3d_f64::query::details::{closest_points_segment_segment, contact_manifold_cuboid_cuboid};
@@ -109,6 +114,7 @@ impl<'a> Pair<'a> {
         let points = [self.world(0, point.local_p1), self.world(1, point.local_p2)];
         let turn = |own: Vector3<f64>| faces.map_or(own, |faces| faces.turn(own));
         let along = |own: Vector3<f64>, normal: &Vector3<f64>| own.dot(&(points[0] - points[1])) / own.dot(normal);
+        let is_crossing = matches!((point.fid1.unpack(), point.fid2.unpack()), (FeatureId::Edge(_), FeatureId::Edge(_)));
         let (normal, feet) = match (point.fid1.unpack(), point.fid2.unpack()) {
             (FeatureId::Vertex(_), FeatureId::Face(face)) => {
                 let own = self.face(1, face);
@@ -123,16 +129,19 @@ impl<'a> Pair<'a> {
             (FeatureId::Edge(edge), FeatureId::Edge(other)) => {
                 let axis = manifold.local_n1;
                 let outward = self.poses[0].rotation * -Vector3::new(axis.x, axis.y, axis.z);
-                self.crossing([edge, other], points, outward, turn)?
+                self.crossing([edge, other].map(edge_axis), points, outward, turn)?
             }
             _ => return None,
         };
         let gap = normal.dot(&(feet[0] - feet[1]));
         let touch = Touch::new(gap, normal, feet, [point.fid1.0, point.fid2.0]);
+        if is_crossing && self.overshoot(&touch) > BESIDE * gap.abs() + SAME_POINT * self.size {
+            return None;
+        }
         Some(faces.map_or(touch, |faces| faces.join(touch)))
     }
 
-    /// Corners of a body's face that lie over the rim of the other one along the library's axis, up to [`SAME_POINT`].
+    /// Corners of a body's face that lie over the rim of the other one along the library's axis, up to [`ON_RIM`].
     fn over_rim(&self, body: usize, manifold: &ContactManifold<(), ()>) -> impl Iterator<Item = TrackedContact<()>> {
         let (axes, other) = ([manifold.local_n1, manifold.local_n2], 1 - body);
         let face = self.cuboids[body].support_face(axes[body]);
@@ -172,26 +181,39 @@ impl<'a> Pair<'a> {
         self.poses[body].rotation.column((number % 3) as usize) * sign
     }
 
-    /// Normal and feet of two edges that cross, from two points on them: `turn` of their common perpendicular, which has the sense of
-    /// `outward`, and the points where one edge lies over the other along the normal.
+    /// Normal and feet of two edges along these axes that cross, from two points on them: `turn` of their common perpendicular, which has
+    /// the sense of `outward`, and the points where one edge lies over the other along the normal.
     fn crossing(
         &self,
-        edges: [u32; 2],
+        axes: [usize; 2],
         points: [Vector3<f64>; 2],
         outward: Vector3<f64>,
         turn: impl Fn(Vector3<f64>) -> Vector3<f64>,
     ) -> Option<(Vector3<f64>, [Vector3<f64>; 2])> {
-        let [own, other] = [0, 1].map(|body| self.poses[body].rotation.column(edge_axis(edges[body])).into_owned());
+        let [own, other] = [0, 1].map(|body| self.poses[body].rotation.column(axes[body]).into_owned());
+        let beside = [0, 1].map(|body| self.beside(body, axes[body], points[body]));
         let cross = own.cross(&other);
         let length = cross.norm();
+        if length < if are_opposite(&beside, &outward) { SAME_POINT } else { PARALLEL } {
+            return None;
+        }
         let sign = if cross.dot(&outward) < 0.0 { -1.0 } else { 1.0 };
         let normal = turn(cross * (sign / length));
+        let points_out = |body: usize, sense: f64| beside[body].iter().all(|face| sense * face.dot(&normal) >= -BESIDE);
+        if !points_out(0, -1.0) || !points_out(1, 1.0) {
+            return None;
+        }
         // a − s d − (b − t e) is along n: multiply by e × n and d × n.
         let (difference, volume) = (points[0] - points[1], cross.dot(&normal));
         let along = difference.cross(&other).dot(&normal) / volume;
         let across = difference.cross(&own).dot(&normal) / volume;
-        let feet = [points[0] - own * along, points[1] - other * across];
-        (length >= PARALLEL).then_some((normal, feet))
+        Some((normal, [points[0] - own * along, points[1] - other * across]))
+    }
+
+    /// The outward normals of the two faces that meet at the edge along an axis through a point.
+    fn beside(&self, body: usize, axis: usize, point: Vector3<f64>) -> [Vector3<f64>; 2] {
+        let (pose, place) = (self.poses[body], self.poses[body].body(point));
+        [(axis + 1) % 3, (axis + 2) % 3].map(|face| pose.rotation.column(face) * place[face].signum())
     }
 
     /// The two nearest points of the boxes' edges, where no corner is over a face and no edges cross.
@@ -213,6 +235,13 @@ impl<'a> Pair<'a> {
     }
 }
 
+/// Whether the faces that look at each other along `outward` lie on opposite sides of an edge: of the two faces beside each edge the other
+/// one, that looks along `outward` least, says on which side its body is not.
+fn are_opposite(beside: &[[Vector3<f64>; 2]; 2], outward: &Vector3<f64>) -> bool {
+    let aside = beside.map(|[one, other]| if one.dot(outward).abs() < other.dot(outward).abs() { one } else { other });
+    aside[0].dot(&aside[1]) < 0.0
+}
+
 /// The foot of a place along an outward axis on the face of a box that looks along it, and how far it is, if the foot is on the face's rim.
 fn on_rim(place: Vector, along: Vector, half_extents: Vector) -> Option<(Vector, f64)> {
     let [place, axis, half] = [place, along, half_extents].map(|x| Vector3::new(x.x, x.y, x.z));
@@ -221,7 +250,7 @@ fn on_rim(place: Vector, along: Vector, half_extents: Vector) -> Option<(Vector,
     let foot = place - axis * distance;
     let over = |k: usize| if k == facing { f64::NEG_INFINITY } else { foot[k].abs() - half[k] };
     let farthest = over(0).max(over(1)).max(over(2));
-    (farthest.abs() <= SAME_POINT).then(|| (vector(foot), distance))
+    (farthest.abs() <= ON_RIM).then(|| (vector(foot), distance))
 }
 
 fn vector(x: Vector3<f64>) -> Vector {

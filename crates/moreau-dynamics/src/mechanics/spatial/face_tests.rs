@@ -314,3 +314,46 @@ fn an_edge_over_a_face_that_ends_where_it_does_touches_at_both_ends() {
         assert_eq!(wrong, 0, "of {} edges at width {wider}", found.len());
     }
 }
+
+/// A box over a box, rolled about x and then yawed, and the candidates: the lower one is as wide as the upper one.
+fn rolled_and_yawed(roll: f64, yaw: f64, gap: f64) -> Vec<Touch> {
+    let (upper, lower) = ([0.4, 0.3, 0.1], [0.9, 0.3, 0.35]);
+    let turn = UnitQuaternion::from_scaled_axis(Vector3::z() * yaw) * UnitQuaternion::from_scaled_axis(Vector3::x() * roll);
+    let height = lower[2] + upper[2] * roll.cos() + upper[1] * roll.abs().sin() + gap;
+    let q = [0.0, 0.0, height, turn.w, turn.i, turn.j, turn.k, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+    let q = DVector::from_row_slice(&q);
+    box_box(upper, &Pose::of(0, &q), lower, &Pose::of(1, &q))
+}
+
+#[test]
+fn edges_that_nearly_lie_over_each_other_never_push_sideways() {
+    for roll in [2e-3, 1e-2, -5e-3] {
+        for yaw in [1e-5, 1e-4, 1e-3, -1e-3] {
+            for gap in [1e-6, -1e-6, -1e-4] {
+                let found = rolled_and_yawed(roll, yaw, gap);
+                assert!(found.iter().any(|touch| touch.gap <= gap.abs() * (1.0 + BESIDE)), "{roll} {yaw} {gap}: {found:?}");
+                for touch in found {
+                    assert!(touch.normal.z > 0.9, "{roll} {yaw} {gap}: {touch:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn an_edge_that_leaves_a_face_across_its_rim_touches_at_both_ends_of_the_way() {
+    // the lowest edge of the upper box, along y, is over the rim x = 0.4 of the lower one in its middle, at a small angle
+    let (upper, lower) = ([0.2, 0.3, 0.1], [0.4, 0.5, 0.35]);
+    for yaw in [5e-4, 9e-4, 1.2e-3, 1e-2] {
+        let roll: f64 = -0.3;
+        let turn = UnitQuaternion::from_scaled_axis(Vector3::z() * yaw) * UnitQuaternion::from_scaled_axis(Vector3::y() * roll);
+        let lowest = turn * Vector3::new(-upper[0], 0.0, -upper[2]);
+        let centre = Vector3::new(0.4, 0.0, lower[2] + 1e-7) - lowest;
+        let q = [centre.x, centre.y, centre.z, turn.w, turn.i, turn.j, turn.k, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+        let q = DVector::from_row_slice(&q);
+        let near: Vec<f64> =
+            box_box(upper, &Pose::of(0, &q), lower, &Pose::of(1, &q)).iter().filter(|t| t.gap < 2e-7).map(|t| t.points[0].y).collect();
+        let (low, high) = near.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (y.min(low), y.max(high)));
+        assert!(high - low > 0.29, "{yaw}: {near:?}");
+    }
+}
