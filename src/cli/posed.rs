@@ -33,7 +33,7 @@ pub fn constraints(posed: &Posed) -> usize {
 pub fn require_memory(posed: &Posed) -> Result<()> {
     match posed {
         Posed::Contacts(problem) if problem.delassus().blocks().is_none() => {
-            memory::require(&format!("solving {} rows", problem.rows()), 8 * memory::matrix(problem.rows(), problem.rows()))
+            memory::require(format_args!("solving {} rows", problem.rows()), 8 * memory::matrix(problem.rows(), problem.rows()))
         }
         // joints are measured when they are read
         _ => Ok(()),

@@ -4,6 +4,7 @@
 //! that mix bodies give the rows of two bodies the same columns. Without H, if the file names the same pair and W couples each of them
 //! with each. A name alone joins nothing: it could hide a light contact behind a heavy one that it never meets.
 
+use crate::memory::spare::{self, Lent};
 use crate::problem::ContactProblem;
 use crate::tolerance::certificate::COUPLED;
 
@@ -11,14 +12,15 @@ use crate::tolerance::certificate::COUPLED;
 const FEW_COLUMNS: usize = 12;
 
 /// The first contact of the same two bodies, for every contact.
-pub(super) fn find(problem: &ContactProblem) -> Vec<usize> {
-    let mut found: Vec<usize> = (0..problem.contacts()).collect();
+pub(super) fn find(problem: &ContactProblem) -> Lent<Vec<usize>> {
+    let all = || Lent::from(spare::collected(problem.contacts(), 0..problem.contacts()));
+    let mut found: Lent<Vec<usize>> = all();
     let knows_rows = problem.knows_rows();
     if problem.bodies().is_none() && !knows_rows {
         return found;
     }
     let pair = |k: usize| problem.bodies().map(|bodies| sorted(bodies[k]));
-    let mut order: Vec<usize> = (0..problem.contacts()).collect();
+    let mut order = all();
     order.sort_unstable_by_key(|k| (pair(*k), *k));
     let mut touching = Touching::default();
     for named in order.chunk_by(|one, other| pair(*one) == pair(*other)).filter(|named| named.len() > 1) {
@@ -43,18 +45,16 @@ fn sorted([first, second]: [Option<usize>; 2]) -> [Option<usize>; 2] {
 /// Contacts in the order of the columns of H that they touch, and these columns; the memory is used for one pair of bodies after another.
 #[derive(Default)]
 struct Touching {
-    columns: Vec<usize>,
+    columns: Lent<Vec<usize>>,
     /// Each contact with its part of `columns`.
-    order: Vec<(usize, [usize; 2])>,
+    order: Lent<Vec<(usize, [usize; 2])>>,
 }
 
 impl Touching {
     fn set(&mut self, problem: &ContactProblem, contacts: &[usize]) {
         let Touching { columns, order } = self;
-        columns.clear();
-        columns.reserve(FEW_COLUMNS * contacts.len());
-        order.clear();
-        order.reserve(contacts.len());
+        columns.make_room(FEW_COLUMNS * contacts.len());
+        order.make_room(contacts.len());
         for &k in contacts {
             let first = columns.len();
             problem.push_touched(k, columns);
@@ -123,10 +123,10 @@ mod tests {
     fn named_contacts_share_a_group_where_every_two_are_coupled() {
         let pair = [Some(0), Some(1)];
         let chain = dmatrix![1.0, 0.5, 0.0; 0.5, 1.0, 0.5; 0.0, 0.5, 1.0];
-        assert_eq!(find(&one_row(chain.clone(), vec![pair; 3])), [0, 0, 2], "the third never meets the first");
-        assert_eq!(find(&one_row(chain.clone(), vec![pair, [Some(1), Some(0)], [Some(2), None]])), [0, 0, 2], "in either order");
+        assert_eq!(**find(&one_row(chain.clone(), vec![pair; 3])), [0, 0, 2], "the third never meets the first");
+        assert_eq!(**find(&one_row(chain.clone(), vec![pair, [Some(1), Some(0)], [Some(2), None]])), [0, 0, 2], "in either order");
         let unnamed = one_row(chain, vec![pair; 3]).into_builder().bodies(None).build().unwrap();
-        assert_eq!(find(&unnamed), [0, 1, 2]);
+        assert_eq!(**find(&unnamed), [0, 1, 2]);
     }
 
     #[test]
@@ -134,14 +134,14 @@ mod tests {
         let jacobian = dmatrix![1.0, 1.0; 1.0, -1.0; 1.0, 0.5; 0.0, 1.0];
         let free = DVector::zeros(2);
         let problem = ContactProblem::from_dynamics(DMatrix::identity(2, 2), jacobian, &free).rows_per_contact(1).build().unwrap();
-        assert_eq!(find(&problem), [0, 0, 0, 3], "the first two meet through the third; the last touches other velocities");
+        assert_eq!(**find(&problem), [0, 0, 0, 3], "the first two meet through the third; the last touches other velocities");
         let apart = dmatrix![1.0, 1.0; 1.0, -1.0; 2.0, 2.0];
         let apart = ContactProblem::from_dynamics(DMatrix::identity(2, 2), apart, &free).rows_per_contact(1).build().unwrap();
-        assert_eq!(find(&apart), [0, 1, 0], "the one between the two meets neither");
+        assert_eq!(**find(&apart), [0, 1, 0], "the one between the two meets neither");
         let rows = &problem.dynamics().unwrap().jacobian;
         let (mass, rows) = (Sparse::of(&DMatrix::identity(2, 2)), Sparse::of(rows));
         let by_bodies = SparseDynamics::new(&mass, &rows, 1).unwrap();
         let by_bodies = ContactProblem::from_sparse_dynamics(&by_bodies, &free).friction(vec![0.0; 4]).build().unwrap();
-        assert_eq!(find(&by_bodies), [0, 0, 0, 3]);
+        assert_eq!(**find(&by_bodies), [0, 0, 0, 3]);
     }
 }

@@ -35,6 +35,7 @@ use super::groups;
 use super::part::Part;
 use crate::cones::polyhedral::direction;
 use crate::cones::second_order::{length, tangential_norm};
+use crate::memory::spare;
 use crate::problem::{ContactProblem, Law, Weights};
 use crate::tolerance::certificate::{HIDDEN, JAMMED, PROJECTED, gamma};
 
@@ -118,13 +119,13 @@ pub(super) fn weigh(problem: &ContactProblem) -> Weights {
         let tangential: f64 = (1..rows).map(diagonal).sum();
         [inverse(1.0, diagonal(0)), inverse((rows - 1) as f64, tangential)]
     };
-    let mut weights: Vec<[f64; 2]> = (0..problem.contacts()).map(one).collect();
-    let moves_itself = weights.iter().map(|weights| weights.map(f64::is_finite)).collect();
+    let mut weights = spare::collected(problem.contacts(), (0..problem.contacts()).map(one));
+    let moves_itself = spare::collected(weights.len(), weights.iter().map(|weights| weights.map(f64::is_finite))).into();
     // A block without a trace has no mass of its own. Every mass > 0 has the same zeros: the largest of the problem is the strictest.
     let largest = weights.iter().flatten().copied().filter(|rho| rho.is_finite()).fold(0.0, f64::max);
     let instead = if largest > 0.0 { largest } else { 1.0 };
     weights.iter_mut().flatten().filter(|rho| !rho.is_finite()).for_each(|rho| *rho = instead);
-    Weights { weights, moves_itself }
+    Weights { weights: weights.into(), moves_itself }
 }
 
 impl Scales {

@@ -158,6 +158,11 @@ impl<T: Scalar> MassFactor<T> {
         }
     }
 
+    /// D, which is left empty.
+    pub(super) fn take_pivots(&mut self) -> Vec<T> {
+        std::mem::take(&mut self.pivots)
+    }
+
     /// D.
     pub(crate) fn pivots(&self) -> &[T] {
         &self.pivots

@@ -1,6 +1,7 @@
 //! A mass matrix with its factor: of free bodies by its blocks, of linkages as it is.
 
 use super::delassus::{MassFactor, UNMOVED};
+use crate::memory::spare::{self, Spare};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use std::sync::OnceLock;
@@ -168,11 +169,29 @@ impl MassFactor<f64> {
     /// [`Error::Invalid`] if an entry is not positive; +∞ is, and p/∞ = 0 for every p.
     fn diagonal(diagonal: &DVector<f64>) -> Result<Self> {
         match diagonal.iter().position(|m| m.is_nan() || *m <= 0.0) {
-            None => Ok(MassFactor::from_pivots(diagonal.as_slice().to_vec())),
+            None => Ok(MassFactor::from_pivots(spare::collected(diagonal.len(), diagonal.iter().copied()))),
             Some(j) => {
                 let problem = format!("is not positive definite (pivot {j} is {})", diagonal[j]);
                 Err(Error::invalid("mass", problem, "give every velocity a positive inertia"))
             }
+        }
+    }
+}
+
+impl Default for Inertia {
+    /// That of no velocities.
+    fn default() -> Self {
+        let (mass, factor) = (Mass::Diagonal(Spare::nothing()), MassFactor::from_pivots(Vec::new()));
+        Inertia { mass, factor, dense: OnceLock::new() }
+    }
+}
+
+impl Drop for Inertia {
+    /// Leaves the memory of free bodies, whose mass every step has anew.
+    fn drop(&mut self) {
+        if let Mass::Diagonal(diagonal) = &mut self.mass {
+            std::mem::replace(diagonal, Spare::nothing()).leave();
+            self.factor.take_pivots().leave();
         }
     }
 }

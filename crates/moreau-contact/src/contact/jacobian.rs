@@ -6,15 +6,16 @@
 //! Both cost as much as there are contacts, not as much as there are bodies.
 
 use super::rows::Rows;
+use crate::memory::spare::{self, Lent};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Mul;
 
 /// H of contacts with as many rows each.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Jacobian {
     rows_per_contact: usize,
     columns: usize,
-    contacts: Vec<Rows>,
+    contacts: Lent<Vec<Rows>>,
 }
 
 impl Jacobian {
@@ -27,7 +28,7 @@ impl Jacobian {
             contacts.iter().all(|contact| contact.shape() == (rows_per_contact, columns)),
             "every contact has the rows and columns of H"
         );
-        Jacobian { rows_per_contact, columns, contacts }
+        Jacobian { rows_per_contact, columns, contacts: contacts.into() }
     }
 
     /// A dense H, cut into contacts of so many rows.
@@ -47,7 +48,7 @@ impl Jacobian {
 
     /// H of some of the contacts.
     pub(crate) fn of(&self, members: &[usize]) -> Self {
-        let contacts = members.iter().map(|k| self.contacts[*k].clone()).collect();
+        let contacts = spare::collected(members.len(), members.iter().map(|k| self.contacts[*k].clone())).into();
         Jacobian { rows_per_contact: self.rows_per_contact, columns: self.columns, contacts }
     }
 
@@ -72,7 +73,7 @@ impl Jacobian {
     /// If there are not as many impulses as rows.
     pub fn tr_mul(&self, impulse: &DVector<f64>) -> DVector<f64> {
         assert_eq!(impulse.len(), self.nrows(), "one impulse per row");
-        let mut pushed = DVector::zeros(self.columns);
+        let mut pushed = spare::zeros(self.columns);
         for (contact, r) in self.contacts.iter().zip(impulse.as_slice().chunks_exact(self.rows_per_contact.max(1))) {
             contact.add_transposed(r, pushed.as_mut_slice());
         }
@@ -94,7 +95,7 @@ impl Mul<&DVector<f64>> for &Jacobian {
 
     /// H v \[m/s\].
     fn mul(self, velocities: &DVector<f64>) -> DVector<f64> {
-        let mut velocity = DVector::zeros(self.nrows());
+        let mut velocity = spare::zeros(self.nrows());
         for (contact, u) in self.contacts.iter().zip(velocity.as_mut_slice().chunks_exact_mut(self.rows_per_contact.max(1))) {
             contact.add_product(velocities.as_slice(), u);
         }

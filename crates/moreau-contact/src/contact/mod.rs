@@ -12,6 +12,11 @@ pub use inertia::{Inertia, Mass};
 pub use jacobian::Jacobian;
 pub use rows::{BodyRows, Rows};
 
+use crate::memory::spare::{self, spare_entries, spare_shared};
+
+spare_entries![Rows, Contact, ContactImpulse, Option<Place>, [Components; 2]];
+spare_shared![Inertia, Jacobian];
+
 /// One contact candidate of a mechanism at a configuration q.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact {
@@ -66,7 +71,7 @@ impl Place {
 
 /// The two bodies of every contact, if all contacts have a place.
 pub fn pairs(places: &[Option<Place>]) -> Option<Vec<[Option<usize>; 2]>> {
-    let mut pairs = Vec::with_capacity(places.len());
+    let mut pairs = spare::vector(places.len());
     for place in places {
         let (first, second) = place.as_ref()?.bodies;
         pairs.push([Some(first), second]);

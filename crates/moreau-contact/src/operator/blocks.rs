@@ -6,6 +6,7 @@
 //! Contacts of a pile meet some ten others, however large it is: memory and a sweep grow with the number of contacts, not with its square.
 
 use super::{ContactOperator, Sparse};
+use crate::memory::spare::{self, Lent};
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
 
@@ -14,11 +15,11 @@ use nalgebra::DMatrix;
 pub struct BlockSparse {
     rows_per_contact: usize,
     /// The blocks of column k are numbers starts[k] .. starts[k + 1].
-    starts: Vec<usize>,
+    starts: Lent<Vec<usize>>,
     /// The contact j of every block W_jk, growing within a column.
-    coupled: Vec<usize>,
+    coupled: Lent<Vec<usize>>,
     /// The entries, block after block, each column by column \[1/kg\].
-    entries: Vec<f64>,
+    entries: Lent<Vec<f64>>,
 }
 
 impl BlockSparse {
@@ -86,10 +87,10 @@ impl BlockSparse {
 
     /// No blocks yet, with room for so many.
     pub(crate) fn with_capacity(rows_per_contact: usize, contacts: usize, blocks: usize) -> Self {
-        let mut starts = Vec::with_capacity(contacts + 1);
+        let mut starts = spare::vector(contacts + 1);
         starts.push(0);
-        let entries = Vec::with_capacity(blocks * rows_per_contact * rows_per_contact);
-        BlockSparse { rows_per_contact, starts, coupled: Vec::with_capacity(blocks), entries }
+        let entries = spare::vector(blocks * rows_per_contact * rows_per_contact).into();
+        BlockSparse { rows_per_contact, starts: starts.into(), coupled: spare::vector(blocks).into(), entries }
     }
 
     /// Begins a column, by which those before are complete.

@@ -6,6 +6,7 @@
 //! Contacts that meet no other are put together: each of them is answered alone by any method that goes from contact to contact.
 
 use super::{Lists, Operator};
+use crate::memory::spare::{self, Lent};
 
 /// A partition of the contacts.
 #[derive(Clone, Debug, Default)]
@@ -13,9 +14,9 @@ pub(crate) struct Islands {
     /// The contacts of each, growing.
     pub members: Lists,
     /// Of every contact its place within its island.
-    place: Vec<usize>,
+    place: Lent<Vec<usize>>,
     /// Of every contact the first one of its island, itself where it meets no other.
-    pub first: Vec<usize>,
+    pub first: Lent<Vec<usize>>,
     /// Whether the last one is of contacts that meet no other.
     pub last_is_of_lone: bool,
 }
@@ -23,13 +24,13 @@ pub(crate) struct Islands {
 impl Islands {
     /// Those of contacts that were found to be one island, or to meet no other.
     pub fn found(contacts: usize, are_lone: bool) -> Self {
-        let (mut members, all) = (Lists::default(), (0..contacts).collect::<Vec<usize>>());
-        let first = if are_lone { all.clone() } else { vec![0; contacts] };
+        let mut members = Lists::default();
         if contacts > 0 {
-            all.iter().for_each(|k| members.push(*k));
-            members.end();
+            members.collect(1, |show| (0..contacts).for_each(|k| show(0, k)));
         }
-        Islands { members, place: all, first, last_is_of_lone: are_lone && contacts > 0 }
+        let each = |first: fn(usize) -> usize| spare::collected(contacts, (0..contacts).map(first)).into();
+        let first = if are_lone { each(|k| k) } else { each(|_| 0) };
+        Islands { members, place: each(|k| k), first, last_is_of_lone: are_lone && contacts > 0 }
     }
 
     /// The place of contact k among these, an island, or one contact that meets no other.
@@ -39,7 +40,7 @@ impl Islands {
 
     /// Those of W; of a W by bodies that is not formed, contacts are together that touch the same body.
     pub fn of(w: &Operator, contacts: usize) -> Self {
-        let (n, mut parts) = (contacts, Parts { root: (0..contacts).collect(), count: contacts });
+        let (n, mut parts) = (contacts, Parts { root: spare::collected(contacts, 0..contacts).into(), count: contacts });
         match w {
             Operator::Blocks(stored) => (0..n).for_each(|k| stored.blocks.column(k).for_each(|(j, _)| parts.join(j, k))),
             Operator::Dense(dense) => {
@@ -64,7 +65,7 @@ impl Islands {
 
 /// Contacts that were found to be together, each with one of them that comes before it, or itself.
 struct Parts {
-    root: Vec<usize>,
+    root: Lent<Vec<usize>>,
     count: usize,
 }
 
@@ -79,18 +80,19 @@ impl Parts {
 
     fn islands(self) -> Islands {
         let (n, mut root) = (self.root.len(), self.root);
-        let mut size = vec![0; n];
+        let each = |number: usize| Lent::from(spare::repeated(n, number));
+        let mut size = each(0);
         for k in 0..n {
             size[find(&mut root, k)] += 1;
         }
         // islands are numbered as their first contacts follow each other, and those alone are the last one
-        let (mut island, mut islands) = (vec![usize::MAX; n], 0);
+        let (mut island, mut islands) = (each(usize::MAX), 0);
         for k in (0..n).filter(|k| root[*k] == *k && size[*k] > 1) {
             island[k] = islands;
             islands += 1;
         }
         let last_is_of_lone = size.contains(&1);
-        let (mut members, mut place) = (Lists::default(), vec![0; n]);
+        let (mut members, mut place) = (Lists::default(), each(0));
         let of = |k: usize| island[root[k]].min(islands);
         members.collect(islands + usize::from(last_is_of_lone), |show| (0..n).for_each(|k| show(of(k), k)));
         members.iter().for_each(|own| own.iter().enumerate().for_each(|(at, k)| place[*k] = at));
@@ -125,8 +127,8 @@ mod tests {
         for w in [Operator::from(blocks.to_dense()), blocks.into()] {
             let islands = Islands::of(&w, 7);
             assert_eq!(islands.members.iter().collect::<Vec<_>>(), [&[0, 2, 4][..], &[3, 6], &[1, 5]]);
-            assert_eq!(islands.place, [0, 0, 1, 0, 2, 1, 1]);
-            assert_eq!((islands.first, islands.last_is_of_lone), (vec![0, 1, 0, 3, 0, 5, 3], true));
+            assert_eq!(**islands.place, [0, 0, 1, 0, 2, 1, 1]);
+            assert_eq!((&**islands.first, islands.last_is_of_lone), (&[0, 1, 0, 3, 0, 5, 3][..], true));
         }
         let chain = Operator::from(DMatrix::from_element(3, 3, 1.0));
         for (w, are_lone) in [(chain, false), (DMatrix::identity(3, 3).into(), true)] {

@@ -1,18 +1,19 @@
 //! Lists of numbers in one piece of memory: as many as there are contacts, bodies or fronts cost two pieces, not one each.
 
+use crate::memory::spare::{self, Lent};
 use std::ops::Index;
 
 /// Lists of numbers, one after the other.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Lists {
     /// List k has the members starts[k] .. starts[k + 1].
-    starts: Vec<usize>,
-    members: Vec<usize>,
+    starts: Lent<Vec<usize>>,
+    members: Lent<Vec<usize>>,
 }
 
 impl Default for Lists {
     fn default() -> Self {
-        Lists { starts: vec![0], members: Vec::new() }
+        Lists { starts: spare::collected(1, [0]).into(), members: Lent::default() }
     }
 }
 
@@ -84,11 +85,11 @@ impl Lists {
     /// Replaces the lists by others: list k has member m for every (k, m) that `each` shows, in this order; it is asked twice.
     pub fn collect(&mut self, lists: usize, each: impl Fn(&mut dyn FnMut(usize, usize))) {
         // each list begins where the one before it is written next
-        self.starts.clear();
+        self.starts.make_room(lists + 2);
         self.starts.resize(lists + 2, 0);
         each(&mut |list, _| self.starts[list + 2] += 1);
         (2..lists + 2).for_each(|list| self.starts[list] += self.starts[list - 1]);
-        self.members.clear();
+        self.members.make_room(self.starts[lists + 1]);
         self.members.resize(self.starts[lists + 1], 0);
         each(&mut |list, member| {
             self.members[self.starts[list + 1]] = member;

@@ -4,6 +4,7 @@
 //!     u = W r + u_free                                                                                [m/s]
 //! ```
 
+use crate::memory::spare;
 use nalgebra::{DMatrix, DVector, DVectorView, DVectorViewMut};
 use std::sync::OnceLock;
 
@@ -174,7 +175,7 @@ impl Operator {
     /// # Panics
     /// If there are not as many impulses as rows.
     pub fn apply(&self, impulse: &DVector<f64>) -> DVector<f64> {
-        let mut velocity = DVector::zeros(impulse.len());
+        let mut velocity = spare::zeros(impulse.len());
         self.write_product(impulse.as_slice(), velocity.as_mut_slice());
         velocity
     }

@@ -9,14 +9,18 @@ use super::{BlockSparse, Lists, Operator};
 use crate::contact::delassus::delassus_factored;
 use crate::contact::{Inertia, Jacobian, Rows};
 use crate::memory;
+use crate::memory::spare::{self, Lent, spare_entries};
 use moreau_exact::{Error, Result};
 
 /// What one contact has at one body: H_bᵀ from the left, and the same over the pivots of the body's mass, velocities × rows.
+#[derive(Clone)]
 struct Half {
     body: usize,
     left: [f64; LARGEST],
     weighted: [f64; LARGEST],
 }
+
+spare_entries![Half];
 
 /// Velocities of a free body times rows of a contact, at most.
 pub(super) const LARGEST: usize = 18;
@@ -57,8 +61,8 @@ pub(super) fn body_width(jacobian: &Jacobian) -> Option<usize> {
 fn blocks(inertia: &Inertia, jacobian: &Jacobian, width: usize, meeting: &Meeting) -> Result<BlockSparse> {
     let (d, n) = (jacobian.rows_per_contact(), jacobian.contacts().len());
     memory::require("the Delassus blocks of this step", (meeting.pairs() as u128).saturating_mul((8 * d * d + 16) as u128))?;
-    let mut halves: Vec<Half> = Vec::with_capacity(meeting.members.total());
-    let mut starts = Vec::with_capacity(n + 1);
+    let mut halves: Lent<Vec<Half>> = spare::vector(meeting.members.total()).into();
+    let mut starts: Lent<Vec<usize>> = spare::vector(n + 1).into();
     for contact in jacobian.contacts() {
         starts.push(halves.len());
         for part in contact.parts() {
@@ -80,12 +84,12 @@ fn blocks(inertia: &Inertia, jacobian: &Jacobian, width: usize, meeting: &Meetin
     starts.push(halves.len());
     let own = |k: usize| &halves[starts[k]..starts[k + 1]];
     let mut made = BlockSparse::with_capacity(d, n, meeting.pairs());
-    let (mut met, mut block) = (Vec::with_capacity(meeting.most), [0.0; 9]);
+    let (mut met, mut block) = (Lent::from(spare::vector(meeting.most)), [0.0; 9]);
     for k in 0..n {
         met.clear();
         meeting.of(own(k).iter().map(|half| half.body), |j| met.push(j));
         made.begin(k);
-        for &j in &met {
+        for &j in met.iter() {
             if j < k {
                 // W_jk = W_kjᵀ, which stands in the column of j
                 block[..d * d].copy_from_slice(made.block(k, j).expect("contacts that meet meet in both orders"));

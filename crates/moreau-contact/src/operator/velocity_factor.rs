@@ -8,6 +8,7 @@
 use super::MatrixFree;
 use super::of_mechanism::{LARGEST, body_width};
 use crate::contact::{Inertia, Jacobian, Rows};
+use crate::memory::spare::{self, Lent};
 use crate::tolerance::velocities::PAYS;
 
 /// Rows that every part of Y is padded to.
@@ -17,14 +18,14 @@ const PADDED: usize = 3;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct VelocityFactor {
     /// Columns of every group.
-    pub columns: Vec<usize>,
+    pub columns: Lent<Vec<usize>>,
     rows_per_contact: usize,
     /// The parts of contact k are numbers starts[k] .. starts[k + 1].
-    starts: Vec<usize>,
+    starts: Lent<Vec<usize>>,
     /// The group of every part, and where its entries begin.
-    parts: Vec<(usize, usize)>,
+    parts: Lent<Vec<(usize, usize)>>,
     /// Three rows of every part, row after row; those that the contact does not have are zero.
-    pub entries: Vec<f64>,
+    pub entries: Lent<Vec<f64>>,
 }
 
 fn pays(velocities: usize, rows: usize) -> bool {
@@ -34,10 +35,10 @@ fn pays(velocities: usize, rows: usize) -> bool {
 impl VelocityFactor {
     /// No contact yet, of so many rows each, with room for so many of two groups of so many columns.
     pub(super) fn with_capacity(columns: Vec<usize>, rows_per_contact: usize, contacts: usize, width: usize) -> Self {
-        let mut starts = Vec::with_capacity(contacts + 1);
+        let mut starts = spare::vector(contacts + 1);
         starts.push(0);
-        let (parts, entries) = (Vec::with_capacity(2 * contacts), Vec::with_capacity(2 * PADDED * contacts * width));
-        VelocityFactor { columns, rows_per_contact, starts, parts, entries }
+        let (parts, entries) = (spare::vector(2 * contacts).into(), spare::vector(2 * PADDED * contacts * width).into());
+        VelocityFactor { columns: columns.into(), rows_per_contact, starts: starts.into(), parts, entries }
     }
 
     /// Appends a part of the contact that is not complete yet, given row by row.
@@ -86,14 +87,16 @@ impl VelocityFactor {
     /// Of a mechanism that consists of bodies of one size; none where it does not, or its velocities are too many to pay.
     pub fn of_mechanism(inertia: &Inertia, jacobian: &Jacobian) -> Option<Self> {
         let width = body_width(jacobian).filter(|width| inertia.is_made_of(*width))?;
-        let mut bodies: Vec<usize> = jacobian.contacts().iter().flat_map(Rows::parts).map(|part| part.first / width).collect();
+        let parts = jacobian.contacts().iter().flat_map(Rows::parts);
+        let mut bodies = Lent::from(spare::collected(2 * jacobian.contacts().len(), parts.map(|part| part.first / width)));
         bodies.sort_unstable();
         bodies.dedup();
         if !pays(bodies.len() * width, jacobian.nrows()) {
             return None;
         }
         let (factor, contacts) = (inertia.factor(), jacobian.contacts());
-        let mut made = VelocityFactor::with_capacity(vec![width; bodies.len()], jacobian.rows_per_contact(), contacts.len(), width);
+        let mut made =
+            VelocityFactor::with_capacity(spare::repeated(bodies.len(), width), jacobian.rows_per_contact(), contacts.len(), width);
         for contact in contacts {
             for part in contact.parts() {
                 let (mut entries, pivots) = ([0.0; LARGEST], &factor.pivots()[part.first..part.first + width]);

@@ -1,5 +1,6 @@
 //! A proposed solution of a [`ContactProblem`](super::ContactProblem); it becomes one only by its certificate.
 
+use crate::memory::spare::Spare;
 use nalgebra::DVector;
 
 /// Impulses and velocities proposed by a solver.
@@ -32,5 +33,12 @@ impl Solution {
     /// ```
     pub fn new(solver: impl Into<String>, impulse: DVector<f64>, velocity: DVector<f64>, iterations: usize) -> Self {
         Solution { impulse, velocity, beta: None, sigma: None, solver: solver.into(), iterations }
+    }
+
+    /// Leaves its memory to the answers that follow in this thread, see [`spare`](crate::memory::spare).
+    pub fn leave(self) {
+        self.impulse.leave();
+        self.velocity.leave();
+        self.solver.leave();
     }
 }

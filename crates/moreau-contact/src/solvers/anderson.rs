@@ -15,47 +15,51 @@
 //! Walker and Ni, *Anderson acceleration for fixed-point iterations*, SIAM J. Numer. Anal. 49 (2011).
 
 use super::parts::copy;
+use crate::memory::spare::{self, Lent, spare_entries};
 use crate::tolerance::sweeps::DEPENDENT_SQUARE;
 use nalgebra::DVector;
 
 /// A point and its state.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Point {
-    pub x: DVector<f64>,
-    pub state: DVector<f64>,
+    pub x: Lent<DVector<f64>>,
+    pub state: Lent<DVector<f64>>,
 }
 
 /// ΔF and ΔG of one step.
+#[derive(Clone)]
 struct Difference {
-    residual: DVector<f64>,
+    residual: Lent<DVector<f64>>,
     image: Point,
 }
+
+spare_entries![Difference];
 
 /// The memory of the acceleration; its vectors are used again and again.
 pub(super) struct Anderson {
     memory: usize,
     /// As many as there were steps, at most `memory`, in no order.
-    differences: Vec<Difference>,
+    differences: Lent<Vec<Difference>>,
     /// The places in `differences` that are in use, the newest first.
-    order: Vec<usize>,
+    order: Lent<Vec<usize>>,
     /// ΔF_i · ΔF_j by places.
-    gram: Vec<f64>,
+    gram: Lent<Vec<f64>>,
     /// f and G(x) of the last step.
-    last: Option<(DVector<f64>, Point)>,
+    last: Option<(Lent<DVector<f64>>, Point)>,
     /// Memory of a last step that is forgotten.
-    spare: Option<(DVector<f64>, Point)>,
+    spare: Option<(Lent<DVector<f64>>, Point)>,
     /// Those of this step.
-    residual: DVector<f64>,
+    residual: Lent<DVector<f64>>,
     /// γ, and what it is found with: rows of T and Eᵀf.
-    weights: Vec<f64>,
-    triangle: Vec<f64>,
+    weights: Lent<Vec<f64>>,
+    triangle: Lent<Vec<f64>>,
 }
 
 impl Anderson {
     pub(super) fn new(memory: usize) -> Self {
-        let (differences, order, residual) = (Vec::new(), Vec::with_capacity(memory + 1), DVector::zeros(0));
-        let [gram, triangle] = [vec![0.0; memory * memory], vec![0.0; memory * memory]];
-        Anderson { memory, differences, order, gram, last: None, spare: None, residual, weights: vec![0.0; memory], triangle }
+        let (differences, order) = (spare::vector(memory).into(), spare::vector(memory + 1).into());
+        let [gram, triangle, weights] = [memory * memory, memory * memory, memory].map(|size| spare::repeated(size, 0.0).into());
+        Anderson { memory, differences, order, gram, last: None, spare: None, residual: Lent::default(), weights, triangle }
     }
 
     /// Forgets all steps.
@@ -67,7 +71,7 @@ impl Anderson {
     /// Replaces G(x), which has been evaluated at x, by the next point.
     pub(super) fn extrapolate(&mut self, x: &DVector<f64>, image: &mut Point) {
         copy(&image.x, &mut self.residual);
-        self.residual -= x;
+        *self.residual -= x;
         match self.last.take() {
             None => self.begin(image),
             Some((last_residual, last_image)) => {
@@ -83,7 +87,7 @@ impl Anderson {
             }
         }
         self.find_weights();
-        for (&place, weight) in self.order.iter().zip(&self.weights).filter(|(_, weight)| **weight != 0.0) {
+        for (&place, weight) in self.order.iter().zip(&**self.weights).filter(|(_, weight)| **weight != 0.0) {
             let moved = &self.differences[place].image;
             image.x.axpy(-weight, &moved.x, 1.0);
             image.state.axpy(-weight, &moved.state, 1.0);
@@ -92,8 +96,7 @@ impl Anderson {
 
     /// Keeps f and G(x) of a first step, in the place of what was forgotten.
     fn begin(&mut self, image: &Point) {
-        let nothing = || (DVector::zeros(0), Point { x: DVector::zeros(0), state: DVector::zeros(0) });
-        let (mut residual, mut point) = self.spare.take().unwrap_or_else(nothing);
+        let (mut residual, mut point) = self.spare.take().unwrap_or_default();
         copy(&self.residual, &mut residual);
         copy(&image.x, &mut point.x);
         copy(&image.state, &mut point.state);
@@ -101,7 +104,7 @@ impl Anderson {
     }
 
     /// Puts the differences from the last step in place of the oldest ones, and keeps f and G(x).
-    fn remember(&mut self, mut last_residual: DVector<f64>, mut last: Point, image: &Point) {
+    fn remember(&mut self, mut last_residual: Lent<DVector<f64>>, mut last: Point, image: &Point) {
         if self.memory > 0 {
             let place = self.place(image);
             let Difference { residual, image: moved } = &mut self.differences[place];
@@ -109,7 +112,7 @@ impl Anderson {
             difference(&mut moved.x, &image.x, &last.x);
             difference(&mut moved.state, &image.state, &last.state);
             self.order.insert(0, place);
-            for &other in &self.order {
+            for &other in self.order.iter() {
                 let product = self.differences[place].residual.dot(&self.differences[other].residual);
                 self.gram[place * self.memory + other] = product;
                 self.gram[other * self.memory + place] = product;
@@ -184,7 +187,7 @@ mod tests {
     /// The state 3 x + 1 of a point.
     fn point(x: DVector<f64>) -> Point {
         let state = x.map(|x| 3.0 * x + 1.0);
-        Point { x, state }
+        Point { x: x.into(), state: state.into() }
     }
 
     /// The next point in place of G(x).
@@ -205,8 +208,8 @@ mod tests {
                 image
             } else {
                 let next = next(&mut anderson, &x, point(image));
-                assert!((&next.state - point(next.x.clone()).state).amax() <= rounding(1000, 16.0), "an affine state follows");
-                next.x
+                assert!((&*next.state - &*point((*next.x).clone()).state).amax() <= rounding(1000, 16.0), "an affine state follows");
+                next.x.into_inner()
             };
         }
         limit

@@ -10,6 +10,7 @@
 
 use super::elimination_tree::Tree;
 use super::multifrontal::{Factor, Front, Work};
+use crate::memory::spare::{Spare, spare_entries};
 use crate::operator::{BlockSparse, Lists};
 use crate::tolerance::fronts::ONE_FRONT;
 use nalgebra::{DVector, Matrix3, Vector3};
@@ -24,6 +25,8 @@ pub(super) struct Slopes {
     /// A_j⁻¹ where it is known better than from A_j.
     pub inverse: Option<Matrix3<f64>>,
 }
+
+spare_entries![Slopes];
 
 impl Slopes {
     fn is_open(&self) -> bool {
@@ -132,7 +135,7 @@ impl BlockElimination {
         let (d, plan) = (w.rows_per_contact(), &self.plan);
         assert!(plan.is_made, "J was factored");
         assert_eq!(right_side.len(), w.contacts() * d, "the right side has one entry per row");
-        let mut found = right_side.clone();
+        let mut found = right_side.copied();
         for (k, inverse) in &self.open {
             let own = inverse * part(&found, d, *k);
             (0..d).for_each(|i| found[k * d + i] = own[i]);

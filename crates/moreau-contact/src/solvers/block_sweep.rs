@@ -10,6 +10,7 @@
 
 use super::colours::Blocks;
 use super::one_contact::OneContact;
+use crate::memory::spare::spare_entries;
 use std::ops::Range;
 use std::sync::Barrier;
 
@@ -30,6 +31,8 @@ pub(super) struct Change {
     /// Whether any impulse changed.
     pub moved: bool,
 }
+
+spare_entries![Change];
 
 /// Contacts that are swept one after the other, and their impulses.
 struct Piece<'a, L, const D: usize> {
@@ -127,7 +130,7 @@ impl<'a, L: OneContact, const D: usize> Sweep<'a, L, D> {
         let piece = |(block, ((contacts, impulses), change))| Some(Piece { first: block * blocks.size, contacts, impulses, change });
         let mut pieces: Vec<Option<Piece<L, D>>> = parts.enumerate().map(piece).collect();
         let mut work: Vec<Vec<Vec<Piece<L, D>>>> = (0..threads).map(|_| Vec::with_capacity(blocks.colours.len())).collect();
-        for colour in &blocks.colours {
+        for colour in blocks.colours.iter() {
             for (thread, own) in work.iter_mut().enumerate() {
                 let blocks = colour[share(thread, threads, colour.len())].iter();
                 own.push(blocks.map(|block| pieces[*block].take().expect("every block has one colour")).collect());
@@ -189,13 +192,14 @@ mod tests {
     fn any_number_of_threads_gives_the_same_bits_and_another_order_of_the_blocks_others() {
         let problem = chain();
         let blocks = coloured(problem.delassus().matrix_free().unwrap());
-        assert_eq!(blocks.colours, [vec![0, 2, 4, 6], vec![1, 3, 5]]);
+        assert_eq!(blocks.colours.iter().collect::<Vec<_>>(), [&[0, 2, 4, 6][..], &[1, 3, 5]]);
         let alone = swept(&problem, &blocks, 1);
         for threads in [2, 3, 64] {
             assert!(swept(&problem, &blocks, threads) == alone, "{threads} threads");
         }
         // what the comparison is for: blocks that share a body, swept in another order
-        let other = Blocks { colours: blocks.colours.iter().rev().cloned().collect(), ..blocks };
+        let mut other = blocks.clone();
+        other.colours.collect(2, |show| (0..2).for_each(|colour| blocks.colours[1 - colour].iter().for_each(|block| show(colour, *block))));
         assert!(swept(&problem, &other, 1) != alone);
         assert!(swept(&problem, &other, 3) == swept(&problem, &other, 1));
     }

@@ -4,7 +4,7 @@
 //! block, contact after contact – depends on the problem alone, whoever sweeps. A problem of one block is swept as it is listed: to colour
 //! contact by contact would take every one from another place of the memory.
 
-use crate::operator::MatrixFree;
+use crate::operator::{Lists, MatrixFree};
 use crate::tolerance::sweeps::BLOCK;
 use std::ops::Range;
 
@@ -12,23 +12,25 @@ use std::ops::Range;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Blocks {
     pub size: usize,
-    pub colours: Vec<Vec<usize>>,
+    pub colours: Lists,
 }
 
 impl Blocks {
     /// All contacts in one block.
     pub fn one(contacts: usize) -> Self {
-        Blocks { size: contacts.max(1), colours: vec![vec![0]; usize::from(contacts > 0)] }
+        let mut colours = Lists::default();
+        colours.collect(usize::from(contacts > 0), |show| (0..contacts.min(1)).for_each(|block| show(0, block)));
+        Blocks { size: contacts.max(1), colours }
     }
 
     /// How many blocks there are.
     pub fn count(&self) -> usize {
-        self.colours.iter().map(Vec::len).sum()
+        self.colours.total()
     }
 
     /// The blocks of the most frequent colour.
     pub fn widest(&self) -> usize {
-        self.colours.iter().map(Vec::len).max().unwrap_or(0)
+        self.colours.iter().map(<[usize]>::len).max().unwrap_or(0)
     }
 
     /// The contacts of a block.
@@ -43,12 +45,13 @@ pub(super) fn coloured(free: &MatrixFree) -> Blocks {
 }
 
 fn colour(free: &MatrixFree, size: usize) -> Blocks {
-    let (contacts, mut blocks) = (free.contacts(), Blocks { size, colours: Vec::new() });
+    let (contacts, mut blocks, mut count) = (free.contacts(), Blocks { size, colours: Lists::default() }, 0);
+    let mut chosen = Vec::with_capacity(contacts.div_ceil(size));
     // of every body the colours of the blocks that touch it
     let mut taken: Vec<Vec<u32>> = vec![Vec::new(); free.jacobian().body_count()];
     for block in 0..contacts.div_ceil(size) {
         let touched = || blocks.range(block, contacts).flat_map(|k| free.jacobian().bodies(k));
-        let mut forbidden = vec![false; blocks.colours.len() + 1];
+        let mut forbidden = vec![false; count + 1];
         touched().flat_map(|body| &taken[*body as usize]).for_each(|colour| forbidden[*colour as usize] = true);
         let colour = forbidden.iter().position(|forbidden| !forbidden).expect("a new colour is not forbidden");
         for body in touched() {
@@ -57,11 +60,10 @@ fn colour(free: &MatrixFree, size: usize) -> Blocks {
                 own.push(colour as u32);
             }
         }
-        if colour == blocks.colours.len() {
-            blocks.colours.push(Vec::new());
-        }
-        blocks.colours[colour].push(block);
+        count = count.max(colour + 1);
+        chosen.push(colour);
     }
+    blocks.colours.collect(count, |show| chosen.iter().enumerate().for_each(|(block, colour)| show(*colour, block)));
     blocks
 }
 
@@ -89,13 +91,13 @@ mod tests {
             contacts.sort_unstable();
             assert_eq!(contacts, (0..n).collect::<Vec<_>>());
             assert_eq!(coloured.count(), n.div_ceil(size));
-            for blocks in &coloured.colours {
+            for blocks in coloured.colours.iter() {
                 let bodies_of = |block: &usize| coloured.range(*block, n).flat_map(|k| free.jacobian().bodies(k)).copied().collect();
                 let bodies: Vec<HashSet<u32>> = blocks.iter().map(bodies_of).collect();
                 assert!((0..bodies.len()).all(|a| (0..a).all(|b| bodies[a].is_disjoint(&bodies[b]))));
             }
         }
-        assert!(colour(&chain(0), 4).colours.is_empty() && Blocks::one(0).colours.is_empty());
+        assert_eq!((colour(&chain(0), 4).colours.len(), Blocks::one(0).colours.len()), (0, 0));
         assert_eq!((Blocks::one(7).count(), Blocks::one(7).range(0, 7)), (1, 0..7));
     }
 }

@@ -199,11 +199,14 @@ fn width(rows: &[usize], groups: &[usize]) -> usize {
     groups.iter().map(|group| rows[*group]).sum()
 }
 
+/// What most groups of a heap meet: a list has room for as many from the start.
+const ROOM: usize = 16;
+
 /// As many lists, all of them empty.
 fn emptied(lists: &mut Vec<Vec<usize>>, count: usize) {
     lists.iter_mut().for_each(Vec::clear);
     if lists.len() < count {
-        lists.resize(count, Vec::new());
+        lists.resize_with(count, || Vec::with_capacity(ROOM));
     }
 }
 

@@ -32,6 +32,7 @@ use super::friction_set::{FrictionSet, Piece};
 use super::stopping::Stopping;
 use super::workspace;
 use crate::certificate::Judge;
+use crate::memory::spare::{self, Lent, Spare};
 use crate::problem::{ContactProblem, Coordinates, Law, Solution};
 use crate::tolerance::solvers as tolerance;
 use moreau_exact::{Error, Result};
@@ -119,8 +120,8 @@ impl NonsmoothNewton {
     ) -> Result<Solution> {
         let mut equations = Equations::new(problem, self.equations, systems)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
-        let start = super::start(problem, warm_start)?;
-        let (mut best, mut law_velocity) = ((f64::INFINITY, start.clone()), DVector::zeros(start.len()));
+        let start = Lent::from(super::start(problem, warm_start)?);
+        let (mut best, mut law_velocity) = ((f64::INFINITY, start.clone()), Lent::from(spare::zeros(start.len())));
         let mut steps = 0;
         for proximals in tolerance::NONSMOOTH_PROXIMALS.into_iter().take(self.starts) {
             let (mut impulse, mut least, mut mark, mut since) = (start.clone(), f64::INFINITY, f64::INFINITY, 0);
@@ -148,9 +149,9 @@ impl NonsmoothNewton {
                 break;
             }
         }
-        let impulse = best.1;
+        let impulse = best.1.into_inner();
         let velocity = problem.velocity(&impulse);
-        super::finite(Solution::new(self.name(), impulse, velocity, steps))
+        super::finite(Solution::new(spare::text(self.name()), impulse, velocity, steps))
     }
 }
 
@@ -180,17 +181,20 @@ impl<'a> Equations<'a> {
     }
 
     /// r + s d with the first η and s that halve ‖F‖, or else those with the least; none where every d is not a number.
-    fn step(&mut self, from: &DVector<f64>, law_velocity: &DVector<f64>, proximals: &[f64]) -> Option<DVector<f64>> {
-        let mut best: Option<(f64, DVector<f64>)> = None;
+    fn step(&mut self, from: &DVector<f64>, law_velocity: &DVector<f64>, proximals: &[f64]) -> Option<Lent<DVector<f64>>> {
+        let mut best: Option<(f64, Lent<DVector<f64>>)> = None;
         for &proximal in proximals {
             let (mut residual, slopes) = self.linearise(from, law_velocity, proximal);
             let enough = 0.5 * residual.norm();
             residual.neg_mut();
-            let Some(direction) = self.direction(&slopes, &residual).filter(|d| d.iter().all(|x| x.is_finite())) else { continue };
-            let mut moved = DVector::zeros(from.len());
+            let Some(direction) = self.direction(&slopes, &residual).map(Lent::from).filter(|d| d.iter().all(|x| x.is_finite())) else {
+                continue;
+            };
+            let mut moved = Lent::from(spare::zeros(from.len()));
             for halvings in 0..tolerance::NONSMOOTH_HALVINGS {
                 let part = 0.5f64.powi(halvings);
-                let tried = from.zip_map(&direction, |from, direction| from + direction * part);
+                let mut tried = Lent::from(from.copied());
+                tried.zip_apply(&*direction, |tried, direction| *tried += direction * part);
                 self.problem.write_law_velocity(tried.as_slice(), moved.as_mut_slice());
                 self.write_residual(&tried, &moved, &mut residual);
                 let norm = residual.norm();
@@ -211,8 +215,9 @@ impl<'a> Equations<'a> {
     }
 
     /// F(r), and A_k and B_k of J(r) with η for every contact; y = A r + q is given.
-    fn linearise(&self, impulse: &DVector<f64>, law_velocity: &DVector<f64>, proximal: f64) -> (DVector<f64>, Vec<Slopes>) {
-        let (mut residual, mut slopes) = (DVector::zeros(self.problem.rows()), Vec::with_capacity(self.problem.contacts()));
+    fn linearise(&self, impulse: &DVector<f64>, law_velocity: &DVector<f64>, proximal: f64) -> (Lent<DVector<f64>>, Lent<Vec<Slopes>>) {
+        let mut residual = Lent::from(spare::zeros(self.problem.rows()));
+        let mut slopes = Lent::from(spare::vector(self.problem.contacts()));
         for k in 0..self.problem.contacts() {
             self.contact(k, [impulse, law_velocity], &mut residual, Some((&mut slopes, proximal)));
         }
@@ -351,7 +356,7 @@ mod tests {
                     let mut systems = NonsmoothNewton::systems(problem);
                     let mut equations = Equations::new(problem, FrictionEquations::AlartCurnier, systems.as_mut()).unwrap();
                     let (residual, slopes) = equations.linearise(&impulse, &velocity, 1e-3);
-                    equations.direction(&slopes, &-residual).unwrap()
+                    equations.direction(&slopes, &-&*residual).unwrap()
                 });
                 // condition of J up to 1/η times the norm of W
                 let rounding = moreau_exact::tolerance::rounding(12, 1e3 * problem.dense().norm()) * dense.amax();

@@ -14,6 +14,7 @@
 //! scalar equation that has exactly one root, by Newton's method from the ν of the last sweep.
 
 use super::polyhedral_contact::PolyhedralContact;
+use crate::memory::spare::{Entry, spare_entries};
 use crate::tolerance::{
     solvers::ROOT_STEPS,
     sweeps::{SHORT, SQUARED},
@@ -21,13 +22,15 @@ use crate::tolerance::{
 use nalgebra::{Cholesky, Matrix3, Vector3};
 
 /// A contact that is prepared once and solved for many q.
-pub(super) trait OneContact: Send {
+pub(super) trait OneContact: Send + Clone + Entry {
     /// A by rows, padded to 3 × 3: what the solution is exact for.
     fn block(&self) -> &[f64; 9];
 
     /// The impulse r for the velocity q without it.
     fn solve(&mut self, q: [f64; 3]) -> [f64; 3];
 }
+
+spare_entries![Frictionless, Coulomb, Associated, Polyhedral];
 
 /// A by rows.
 pub(super) fn by_rows(block: &Matrix3<f64>) -> [f64; 9] {

@@ -1,6 +1,7 @@
 //! What every solver needs, your own included: impulses to start from, refusals, and a check that an answer is finite.
 
 use crate::cones::second_order;
+use crate::memory::spare::{self, Lent, Spare};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::first_order::SLIGHTLY;
 use moreau_exact::{Error, Result};
@@ -12,7 +13,7 @@ use nalgebra::DVector;
 /// [`Error::Invalid`] if the given ones are not as many finite numbers as the problem has rows.
 pub fn start(problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<DVector<f64>> {
     check_start(problem, warm_start)?;
-    Ok(warm_start.map_or_else(|| DVector::zeros(problem.rows()), DVector::clone))
+    Ok(warm_start.map_or_else(|| spare::zeros(problem.rows()), Spare::copied))
 }
 
 /// Refuses given impulses that are not as many finite numbers as the problem has rows.
@@ -41,12 +42,19 @@ pub fn finite(solution: Solution) -> Result<Solution> {
     Err(Error::breakdown(&solution.solver, reason))
 }
 
-/// Makes one vector another one's copy; it takes memory only where their sizes differ.
+/// Makes one vector another one's copy, in its own memory if there is room.
 pub(super) fn copy(from: &DVector<f64>, to: &mut DVector<f64>) {
-    if to.len() == from.len() {
-        to.copy_from(from);
-    } else {
-        *to = from.clone();
+    resize(to, from.len());
+    to.copy_from(from);
+}
+
+/// Gives a vector so many entries, zeros where they were not so many, in its own memory if there is room.
+pub(super) fn resize(vector: &mut DVector<f64>, size: usize) {
+    if vector.len() != size {
+        let mut entries = Lent::from(Vec::from(std::mem::replace(vector, Spare::nothing()).data));
+        entries.make_room(size);
+        entries.resize(size, 0.0);
+        *vector = entries.into_inner().into();
     }
 }
 

@@ -23,6 +23,7 @@ use super::one_contact::{Associated, Coulomb, Frictionless, OneContact, Polyhedr
 use super::parts::copy;
 use super::stopping::Stopping;
 use super::swept::{Bodies, Free, Stored, Swept};
+use crate::memory::spare::{self, Lent};
 use crate::operator::passes;
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::solvers as tolerance;
@@ -108,7 +109,7 @@ impl ProjectedGaussSeidel {
         start: DVector<f64>,
         one: impl Fn(&Matrix3<f64>, f64) -> Option<L>,
     ) -> Result<Solution> {
-        let mut contacts = Vec::with_capacity(problem.contacts());
+        let mut contacts = Lent::from(spare::vector(problem.contacts()));
         for k in 0..problem.contacts() {
             contacts.push(prepare(problem, k, &one)?);
         }
@@ -123,7 +124,7 @@ impl ProjectedGaussSeidel {
         &self,
         problem: &ContactProblem,
         start: DVector<f64>,
-        contacts: Vec<L>,
+        contacts: Lent<Vec<L>>,
     ) -> Result<Solution> {
         match problem.delassus().matrix_free().map(|free| (free, Bodies::<3>::new(problem, free))) {
             Some((_, Some(bodies))) => Sweeper::<_, _, D>::new(problem, bodies, contacts, start, self).solution(self),
@@ -134,18 +135,18 @@ impl ProjectedGaussSeidel {
 }
 
 /// What a sweep works on: a sweep in one thread allocates nothing.
-struct Sweeper<'a, S, L, const D: usize> {
+struct Sweeper<'a, S, L: OneContact, const D: usize> {
     problem: &'a ContactProblem,
     swept: S,
-    contacts: Vec<L>,
+    contacts: Lent<Vec<L>>,
     blocks: Blocks,
     /// Of every block what the last sweep changed.
-    changes: Vec<Change>,
+    changes: Lent<Vec<Change>>,
     stopping: Stopping<'a>,
     /// r \[N·s\], and what the sweep keeps beside it.
     point: Point,
     /// y at the last measurement \[m/s\].
-    law_velocity: DVector<f64>,
+    law_velocity: Lent<DVector<f64>>,
     best: Best,
     sweeps: usize,
     look: Look,
@@ -164,14 +165,14 @@ struct Look {
 /// The iterate with the smallest relative residual so far, and the sweep that last halved that residual.
 struct Best {
     relative: f64,
-    impulse: DVector<f64>,
+    impulse: Lent<DVector<f64>>,
     /// The residual at the last mark, and the sweep of that mark. The next mark is set when the residual has halved.
     mark: (f64, usize),
 }
 
 impl Default for Best {
     fn default() -> Self {
-        Best { relative: f64::INFINITY, impulse: DVector::zeros(0), mark: (f64::INFINITY, 0) }
+        Best { relative: f64::INFINITY, impulse: Lent::default(), mark: (f64::INFINITY, 0) }
     }
 }
 
@@ -188,19 +189,19 @@ impl Best {
 }
 
 impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
-    fn new(problem: &'a ContactProblem, swept: S, contacts: Vec<L>, start: DVector<f64>, solver: &ProjectedGaussSeidel) -> Self {
-        let mut state = DVector::zeros(swept.size());
+    fn new(problem: &'a ContactProblem, swept: S, contacts: Lent<Vec<L>>, start: DVector<f64>, solver: &ProjectedGaussSeidel) -> Self {
+        let mut state = spare::zeros(swept.size());
         swept.set_state(start.as_slice(), state.as_mut_slice());
         let blocks = swept.blocks();
         Sweeper {
             problem,
             swept,
             contacts,
-            changes: vec![Change::default(); blocks.count()],
+            changes: spare::repeated(blocks.count(), Change::default()).into(),
             blocks,
             stopping: Stopping::new(problem, solver.tolerance),
-            law_velocity: DVector::zeros(start.len()),
-            point: Point { x: start, state },
+            law_velocity: spare::zeros(start.len()).into(),
+            point: Point { x: start.into(), state: state.into() },
             best: Best::default(),
             sweeps: 0,
             look: Look { change: 0.0, ratio: f64::INFINITY, next: 0 },
@@ -217,9 +218,9 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
         let keeps_best = solver.memory > 0 || self.sweeps < solver.sweeps;
         // one that is ended before its first look has none that was measured
         let measured = !self.best.impulse.is_empty();
-        let impulse = if keeps_best && measured && self.is_finite() { self.best.impulse } else { self.point.x };
+        let impulse = if keeps_best && measured && self.is_finite() { self.best.impulse } else { self.point.x }.into_inner();
         let velocity = self.problem.velocity(&impulse);
-        super::finite(Solution::new(NAME, impulse, velocity, self.sweeps))
+        super::finite(Solution::new(spare::text(NAME), impulse, velocity, self.sweeps))
     }
 
     /// Sweep after sweep.

@@ -11,6 +11,7 @@ use super::block_elimination::Slopes;
 use super::elimination_tree::Tree;
 use super::multifrontal::{Factor, Front, Work};
 use super::parts::copy;
+use crate::memory::spare::Spare;
 use crate::operator::{BlockSparse, ContactOperator, Lists, VelocityFactor};
 use crate::tolerance::velocities::{REFINED, REFINEMENTS, TRUSTED};
 use nalgebra::{DVector, Matrix3, Vector3};
@@ -82,7 +83,7 @@ impl VelocityElimination {
     /// The x with J x = b, of the last J that was factored and the W of which Y is a factor; none where too many digits are lost.
     pub(super) fn solve(&mut self, w: &BlockSparse, right_side: &DVector<f64>) -> Option<DVector<f64>> {
         let [mut left, mut rest, mut tried] = [&mut self.left, &mut self.rest, &mut self.tried].map(std::mem::take);
-        let mut best = right_side.clone();
+        let mut best = right_side.copied();
         self.once(right_side, &mut best);
         self.leave(w, &best, right_side, &mut left);
         for _ in 0..REFINEMENTS {

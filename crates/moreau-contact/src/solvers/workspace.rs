@@ -4,7 +4,9 @@
 //! thread has as many of them as solvers stand within each other, and those of large problems are not kept.
 
 use super::contact_systems::ContactSystems;
+use super::parts::resize;
 use crate::certificate::Judge;
+use crate::memory::spare::{self, Spare};
 use crate::problem::{ContactProblem, Solution};
 use crate::tolerance::solvers::KEPT;
 use nalgebra::DVector;
@@ -29,11 +31,8 @@ impl Default for Workspace {
 impl Workspace {
     /// Proposes impulses \[N·s\], which may be changed before they are judged.
     pub fn propose(&mut self, impulse: &[f64]) -> &mut [f64] {
-        for part in [&mut self.answer.impulse, &mut self.answer.velocity] {
-            if part.len() != impulse.len() {
-                part.resize_vertically_mut(impulse.len(), 0.0);
-            }
-        }
+        resize(&mut self.answer.impulse, impulse.len());
+        resize(&mut self.answer.velocity, impulse.len());
         self.answer.impulse.copy_from_slice(impulse);
         self.answer.impulse.as_mut_slice()
     }
@@ -48,7 +47,7 @@ impl Workspace {
 
     /// What was judged last, as the answer of a solver.
     pub fn answered(&self, solver: &str, iterations: usize) -> Solution {
-        Solution::new(solver, self.answer.impulse.clone(), self.answer.velocity.clone(), iterations)
+        Solution::new(spare::text(solver), self.answer.impulse.copied(), self.answer.velocity.copied(), iterations)
     }
 }
 

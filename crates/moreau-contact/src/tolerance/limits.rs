@@ -10,6 +10,14 @@ pub const FILE_BYTES: u64 = 256_000_000;
 /// Set.
 pub const MEMORY_BYTES: u64 = 1 << 32;
 
+/// Most spare vectors of a kind that a thread keeps for its next step; each is looked for among all.
+/// Set.
+pub const SPARE_VECTORS: usize = 64;
+
+/// Memory of the spare vectors of a kind that a thread keeps at most \[bytes\]: 8 MB, what a step of some thousand contacts needs.
+/// Set.
+pub const SPARE_BYTES: usize = 8_000_000;
+
 /// Most iterations a solver may be allowed: a thousand times the largest default.
 /// Set.
 pub const ITERATIONS: usize = 100_000_000;

@@ -30,11 +30,14 @@ pub fn afford(mechanism: &dyn Mechanism, position: &DVector<f64>, reach: f64) ->
         };
         parts.into_iter().fold(0u128, |sum, (times, bytes)| sum.saturating_add(bytes.saturating_mul(times)))
     };
-    require(&format!("a step of {}, {freedoms} velocities without any contact,", mechanism.name()), needed(0))?;
+    require(format_args!("a step of {}, {freedoms} velocities without any contact,", mechanism.name()), needed(0))?;
     match mechanism.most_candidates() {
         Some(most) if require("", needed(most)).is_err() => {
             let contacts = mechanism.count_within(position, reach);
-            require(&format!("a step of {}, {freedoms} velocities and {contacts} contact candidates,", mechanism.name()), needed(contacts))
+            require(
+                format_args!("a step of {}, {freedoms} velocities and {contacts} contact candidates,", mechanism.name()),
+                needed(contacts),
+            )
         }
         _ => Ok(()),
     }

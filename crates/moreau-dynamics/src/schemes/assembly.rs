@@ -7,9 +7,9 @@
 
 use super::{StepContext, StepProblem};
 use moreau_contact::contact::{Components, Contact, Jacobian, pairs};
+use moreau_contact::memory::spare::{self, Lent};
 use moreau_contact::problem::{ContactProblem, Law};
 use moreau_exact::Result;
-use nalgebra::DVector;
 use std::fmt::Write;
 use std::sync::Arc;
 
@@ -48,20 +48,21 @@ pub trait Rules {
 /// # Errors
 /// If M̂ is not positive definite.
 pub fn assemble(name: &str, rules: &dyn Rules, at: &StepContext) -> Result<StepProblem> {
-    let (held, candidates) = held(at, rules.theta(), |candidate| rules.is_active(candidate, at.h()))?;
-    if candidates.is_empty() {
+    let (held, velocities) = chosen(at, rules.theta(), |candidate| rules.is_active(candidate, at.h()))?;
+    if held.active.is_empty() {
         return Ok(held);
     }
     let rows = at.mechanism().rows_per_contact();
-    let mut shift = DVector::zeros(rows * candidates.len());
-    for (candidate, part) in candidates.iter().zip(shift.as_mut_slice().chunks_exact_mut(rows)) {
-        part.copy_from_slice(&rules.shift(candidate, at.h()));
+    let mut shift = spare::zeros(rows * held.active.len());
+    for (candidate, part) in candidates(at, &held.active, &velocities).zip(shift.as_mut_slice().chunks_exact_mut(rows)) {
+        part.copy_from_slice(&rules.shift(&candidate, at.h()));
     }
+    let friction = held.active.iter().map(|k| at.contacts()[*k].friction);
     let problem = ContactProblem::from_inertia(&held.effective_mass, &held.jacobian, &held.free_velocity)
         .name(problem_name(at, name))
         .law(rules.law(rows))
         .rows_per_contact(rows)
-        .friction(candidates.iter().map(|candidate| candidate.contact.friction).collect())
+        .friction(spare::collected(held.active.len(), friction))
         .shift(shift)
         .bodies(pairs(&held.places))
         .build()?;
@@ -71,7 +72,7 @@ pub fn assemble(name: &str, rules: &dyn Rules, at: &StepContext) -> Result<StepP
 /// What messages call the problem of a step, in memory that is large enough from the start.
 fn problem_name(at: &StepContext, scheme: &str) -> String {
     let mechanism = at.mechanism().name();
-    let mut name = String::with_capacity(mechanism.len() + scheme.len() + LENGTH_OF_TIME);
+    let mut name = spare::empty_text(mechanism.len() + scheme.len() + LENGTH_OF_TIME);
     // a string takes whatever is written
     let _ = write!(name, "{mechanism} {scheme} t={}", at.state().time);
     name
@@ -82,10 +83,30 @@ fn problem_name(at: &StepContext, scheme: &str) -> String {
 /// # Errors
 /// If M̂ is not positive definite.
 pub fn held<'a>(at: &'a StepContext, theta: f64, is_active: impl Fn(&Candidate) -> bool) -> Result<(StepProblem, Vec<Candidate<'a>>)> {
+    let (held, velocities) = chosen(at, theta, is_active)?;
+    let candidates = candidates(at, &held.active, &velocities).collect();
+    Ok((held, candidates))
+}
+
+/// The velocities of a candidate, as in [`Candidate`].
+type Velocities = [Components; 2];
+
+/// The contacts with these indices.
+fn candidates<'a>(at: &'a StepContext, active: &[usize], velocities: &[Velocities]) -> impl Iterator<Item = Candidate<'a>> {
+    let one = |(k, [velocity, free_velocity]): (&usize, &Velocities)| Candidate {
+        contact: &at.contacts()[*k],
+        velocity: *velocity,
+        free_velocity: *free_velocity,
+    };
+    active.iter().zip(velocities).map(one)
+}
+
+/// [`held`], with the velocities of the contacts in place of candidates.
+fn chosen(at: &StepContext, theta: f64, is_active: impl Fn(&Candidate) -> bool) -> Result<(StepProblem, Lent<Vec<Velocities>>)> {
     let (effective_mass, free_velocity) = at.free_motion(theta)?;
     let (rows, columns) = (at.mechanism().rows_per_contact(), at.mechanism().degrees_of_freedom());
     let all = at.contacts().len();
-    let (mut active, mut candidates) = (Vec::with_capacity(all), Vec::with_capacity(all));
+    let (mut active, mut velocities) = (spare::vector(all), Lent::from(spare::vector(all)));
     for (index, contact) in at.contacts().iter().enumerate() {
         let [mut velocity, mut free] = [Components::zeros(rows); 2];
         contact.jacobian.add_product(at.state().velocity.as_slice(), &mut velocity);
@@ -93,17 +114,18 @@ pub fn held<'a>(at: &'a StepContext, theta: f64, is_active: impl Fn(&Candidate) 
         let candidate = Candidate { contact, velocity, free_velocity: free };
         if is_active(&candidate) {
             active.push(index);
-            candidates.push(candidate);
+            velocities.push([velocity, free]);
         }
     }
-    let jacobian = stack(candidates.iter().map(|candidate| candidate.contact), rows, columns);
-    let places = candidates.iter().map(|candidate| candidate.contact.place).collect();
-    Ok((StepProblem { problem: None, active, places, effective_mass, free_velocity, jacobian, residual: None }, candidates))
+    let jacobian = stack(active.iter().map(|k| &at.contacts()[*k]), rows, columns);
+    let places = spare::collected(active.len(), active.iter().map(|k| at.contacts()[*k].place));
+    Ok((StepProblem { problem: None, active, places, effective_mass, free_velocity, jacobian, residual: None }, velocities))
 }
 
 /// H of these contacts, one below the other.
 pub fn stack<'a>(contacts: impl Iterator<Item = &'a Contact>, rows: usize, columns: usize) -> Arc<Jacobian> {
-    Arc::new(Jacobian::new(rows, columns, contacts.map(|contact| contact.jacobian.clone()).collect()))
+    let count = contacts.size_hint().0;
+    spare::shared(Jacobian::new(rows, columns, spare::collected(count, contacts.map(|contact| contact.jacobian.clone()))))
 }
 
 /// The given normal entry, and zero in the tangential rows.

@@ -2,6 +2,7 @@
 
 use crate::mechanics::{Mechanism, State};
 use moreau_contact::contact::{Contact, Inertia};
+use moreau_contact::memory::spare::{self, Lent, Spare};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 use std::cell::OnceCell;
@@ -13,9 +14,9 @@ pub struct StepContext<'a> {
     state: &'a State,
     h: f64,
     inertia: OnceCell<Arc<Inertia>>,
-    contacts: OnceCell<Vec<Contact>>,
+    contacts: OnceCell<Lent<Vec<Contact>>>,
     /// v + h M⁻¹F̄.
-    explicit: OnceCell<Arc<DVector<f64>>>,
+    explicit: OnceCell<Lent<DVector<f64>>>,
 }
 
 impl<'a> StepContext<'a> {
@@ -66,13 +67,13 @@ impl<'a> StepContext<'a> {
         if let Some(known) = self.inertia.get() {
             return Ok(known.clone());
         }
-        let factored = Arc::new(Inertia::of(self.mechanism.mass(&self.state.position))?);
+        let factored = spare::shared(Inertia::of(self.mechanism.mass(&self.state.position))?);
         Ok(self.inertia.get_or_init(|| factored).clone())
     }
 
     /// The contact candidates at q.
     pub fn contacts(&self) -> &[Contact] {
-        self.contacts.get_or_init(|| self.mechanism.contacts(&self.state.position))
+        self.contacts.get_or_init(|| self.mechanism.contacts(&self.state.position).into())
     }
 
     /// M̂ = M(q) + h θ C + h² θ² K, factored, and v_free = v + h M̂⁻¹ (F(q, v) − h θ K v).
@@ -81,7 +82,7 @@ impl<'a> StepContext<'a> {
     /// [`Error::Invalid`] if M̂ is not positive definite or v_free is not finite.
     pub fn free_motion(&self, theta: f64) -> Result<(Arc<Inertia>, DVector<f64>)> {
         let Some(linear) = self.mechanism.linear_force().filter(|_| theta != 0.0) else {
-            return Ok((self.inertia()?, self.forecast()?.clone()));
+            return Ok((self.inertia()?, self.forecast()?.copied()));
         };
         let StepContext { mechanism, state, h, .. } = *self;
         let mut mass = mechanism.mass_matrix(&state.position);
@@ -98,12 +99,12 @@ impl<'a> StepContext<'a> {
     /// Those of [`StepContext::free_motion`].
     pub fn forecast(&self) -> Result<&DVector<f64>> {
         if let Some(known) = self.explicit.get() {
-            return Ok(&**known);
+            return Ok(known);
         }
         let StepContext { mechanism, state, h, .. } = *self;
         let pull = self.inertia()?.solved(mechanism.mean_force(&state.position, &state.velocity, h));
         let velocity = moved(&state.velocity, pull, h)?;
-        Ok(&**self.explicit.get_or_init(|| Arc::new(velocity)))
+        Ok(self.explicit.get_or_init(|| velocity.into()))
     }
 }
 

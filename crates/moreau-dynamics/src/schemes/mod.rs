@@ -108,7 +108,7 @@ pub fn simulate_certified(
     mut observe: impl FnMut(&Step) -> Result<()>,
 ) -> Result<Recording> {
     let sample = memory::matrix(initial.position.len() + initial.velocity.len(), 1) + size_of::<State>() as u128;
-    memory::require(&format!("recording {steps} steps of {}", mechanism.name()), steps as u128 * sample)?;
+    memory::require(format_args!("recording {steps} steps of {}", mechanism.name()), steps as u128 * sample)?;
     let mut recording = Recording::new(mechanism.name(), scheme.name(), h, initial.clone());
     let truncated = scheme.is_truncated() || solver.is_truncated();
     run_certified(scheme, solver, mechanism, initial, h, steps, |step| {
@@ -151,8 +151,8 @@ pub fn run_certified(
     steps: usize,
     mut observe: impl FnMut(&Step) -> Result<()>,
 ) -> Result<State> {
-    let start = initial.time;
-    finite::finite(&scheme.name(), mechanism, 0, &initial)?;
+    let (start, name) = (initial.time, scheme.name());
+    finite::finite(&name, mechanism, 0, &initial)?;
     let mut state = initial;
     let mut previous = Vec::new();
     let mut remembering: Option<Box<dyn Scheme>> = None;
@@ -162,9 +162,9 @@ pub fn run_certified(
         let successor = current.successor(mechanism, &state, &made, h)?;
         remembering = successor.or(remembering);
         made.state.time = start + k as f64 * h;
-        finite::finite(&scheme.name(), mechanism, k, &made.state)?;
+        finite::finite(&name, mechanism, k, &made.state)?;
         observe(&made)?;
-        (state, previous) = (made.state, made.impulses);
+        (state, previous) = made.follow(state, previous);
     }
     Ok(state)
 }
@@ -175,7 +175,7 @@ mod tests {
     use crate::scenes::named;
     use moreau_contact::certificate::residuals;
     use moreau_contact::problem::{ContactProblem, Solution};
-    use moreau_contact::solvers::ProjectedGaussSeidel;
+    use moreau_contact::solvers::{Auto, ProjectedGaussSeidel};
     use moreau_contact::tolerance::certificate::CERTIFY;
     use nalgebra::DVector;
     use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
@@ -206,6 +206,28 @@ mod tests {
             self.warm.fetch_add(warm.iterations, Relaxed);
             self.cold.fetch_add(cold.iterations, Relaxed);
             Ok(warm)
+        }
+    }
+
+    /// Every bit of every state and impulse of a scene.
+    fn bits(name: &str) -> Vec<u64> {
+        let (mechanism, start) = named(name).and_then(|scene| scene.mechanism()).unwrap();
+        let mut bits = Vec::new();
+        run(&MoreauJean::default(), &Auto, mechanism.as_ref(), start, 0.005, 120, |step| {
+            bits.extend(step.state.position.iter().chain(&step.state.velocity).map(|x| x.to_bits()));
+            bits.extend(step.impulses.iter().flat_map(|one| one.impulse.iter()).map(|r| r.to_bits()));
+        })
+        .unwrap();
+        bits
+    }
+
+    #[test]
+    fn nothing_of_an_earlier_motion_is_seen_in_the_memory_that_it_left() {
+        let fresh = std::thread::spawn(|| bits("box-stack")).join().unwrap();
+        assert_eq!(bits("box-stack"), fresh);
+        for other in ["rolling-disk", "two-ball-impact", "box-stack"] {
+            bits(other);
+            assert_eq!(bits("box-stack"), fresh, "after {other}");
         }
     }
 

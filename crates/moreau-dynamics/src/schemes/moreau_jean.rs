@@ -32,6 +32,7 @@
 use super::assembly::{self, Candidate, Rules, normal_only};
 use super::{Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use moreau_contact::contact::Components;
+use moreau_contact::memory::spare::{Lent, Spare};
 use moreau_contact::problem::Law;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -172,7 +173,8 @@ impl Waist for MoreauJean {
     fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
         let (state, h) = (at.state(), at.h());
         let (own, others) = (self.theta, 1.0 - self.theta);
-        let mean = velocity_post.zip_map(&state.velocity, |after, before| after * own + before * others);
+        let mut mean = Lent::from(velocity_post.copied());
+        mean.zip_apply(&state.velocity, |after, before| *after = *after * own + before * others);
         at.mechanism().integrate(&at.state().position, &mean, h)
     }
 }

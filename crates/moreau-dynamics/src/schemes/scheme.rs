@@ -6,6 +6,7 @@ use crate::mechanics::{Mechanism, State};
 use crate::trajectory::LocatedImpact;
 use moreau_contact::certificate::{Judgement, StepResidual};
 use moreau_contact::contact::{ContactImpulse, Inertia, Jacobian, Place};
+use moreau_contact::memory::spare::{self, Spare};
 use moreau_contact::problem::{ContactProblem, Solution};
 use moreau_exact::Result;
 use nalgebra::DVector;
@@ -91,6 +92,19 @@ impl Step {
     pub fn judgement(&self, truncated: bool) -> Judgement {
         Judgement::of(self.residual, truncated)
     }
+
+    /// The state and the impulses of the step, for the next one to start from; it may take the memory of all else, and of those before.
+    pub(super) fn follow(self, state: State, previous: Vec<ContactImpulse>) -> (State, Vec<ContactImpulse>) {
+        let Step { state: next, impulses, assembled, solution, .. } = self;
+        assembled.leave();
+        if let Some(solution) = solution {
+            solution.leave();
+        }
+        state.position.leave();
+        state.velocity.leave();
+        previous.leave();
+        (next, impulses)
+    }
 }
 
 /// What a scheme assembled for one step: the problem of the active contacts, and what turns impulses into velocities.
@@ -111,6 +125,19 @@ pub struct StepProblem {
     pub jacobian: Arc<Jacobian>,
     /// The worst residual of problems that were solved to assemble this one; none for most schemes.
     pub residual: Option<StepResidual>,
+}
+
+impl StepProblem {
+    /// Leaves its memory to the next step.
+    fn leave(self) {
+        let StepProblem { problem, active, places, effective_mass, free_velocity, jacobian, residual: _ } = self;
+        drop(problem); // which shares M̂ and H
+        active.leave();
+        places.leave();
+        free_velocity.leave();
+        spare::leave_shared(effective_mass);
+        spare::leave_shared(jacobian);
+    }
 }
 
 /// A scheme whose step is one contact problem.

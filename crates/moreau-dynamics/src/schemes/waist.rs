@@ -15,6 +15,7 @@ use super::scheme::{OwnAnswer, Start, Step, StepProblem, Waist};
 use crate::mechanics::{Mechanism, State, afford};
 use moreau_contact::certificate::StepResidual;
 use moreau_contact::contact::{ContactImpulse, Place};
+use moreau_contact::memory::spare::{self, Lent, Spare};
 use moreau_contact::problem::Solution;
 use moreau_contact::solvers::ContactSolver;
 use moreau_exact::Result;
@@ -66,7 +67,7 @@ pub struct Parts<'a> {
 pub fn step(scheme: &dyn Waist, solver: &Certified, start: &Start) -> Result<Step> {
     let answer = |at: &StepContext, assembled: &StepProblem| {
         let Some(problem) = &assembled.problem else { return Ok(None) };
-        let warm = carry_over(start.previous, &assembled.active, &assembled.places, at.mechanism().rows_per_contact());
+        let warm = Lent::from(carry_over(start.previous, &assembled.active, &assembled.places, at.mechanism().rows_per_contact()));
         Ok(Some(OwnAnswer { solution: solver.solve(problem, Some(&warm))?, residual: None }))
     };
     let advance =
@@ -117,13 +118,14 @@ fn finish(parts: &Parts, at: &StepContext, assembled: StepProblem) -> Result<Ste
         Some(OwnAnswer { solution, residual }) => (Some(solution), residual),
         None => (None, None),
     };
-    let mut velocity = assembled.free_velocity.clone();
+    let mut velocity = assembled.free_velocity.copied();
     let mut impulses = Vec::new();
     if let Some(solution) = &solution {
-        velocity += assembled.effective_mass.solved(assembled.jacobian.tr_mul(&solution.impulse));
+        velocity += &*Lent::from(assembled.effective_mass.solved(assembled.jacobian.tr_mul(&solution.impulse)));
         let places = assembled.active.iter().zip(&assembled.places);
         let one = |((&contact, &place), part): ((&usize, &Option<Place>), &[f64])| ContactImpulse { contact, impulse: part.into(), place };
-        impulses = places.zip(solution.impulse.as_slice().chunks(at.mechanism().rows_per_contact())).map(one).collect();
+        let parts = solution.impulse.as_slice().chunks(at.mechanism().rows_per_contact());
+        impulses = spare::collected(assembled.active.len(), places.zip(parts).map(one));
     }
     let position = (parts.advance)(at, &assembled, &velocity)?;
     let state = State { time: at.state().time + at.h(), position, velocity };
@@ -133,7 +135,7 @@ fn finish(parts: &Parts, at: &StepContext, assembled: StepProblem) -> Result<Ste
 
 /// The previous impulses of the contacts that are active now, zero for the others \[N·s\].
 pub fn carry_over(previous: &[ContactImpulse], active: &[usize], places: &[Option<Place>], rows: usize) -> DVector<f64> {
-    let mut start = DVector::zeros(rows * active.len());
+    let mut start = spare::zeros(rows * active.len());
     // both lists are in nearly the same order: each contact is looked for behind the one before
     let mut next = 0;
     for (k, (contact, place)) in active.iter().zip(places).enumerate() {

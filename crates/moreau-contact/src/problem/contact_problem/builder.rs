@@ -5,6 +5,7 @@ use super::once::Once;
 use super::{Compliance, ContactKey, ContactProblem, Dynamics, Law};
 use crate::contact::delassus::delassus;
 use crate::contact::{Inertia, Jacobian};
+use crate::memory::spare::{self, Lent};
 use crate::operator::{Operator, SparseDynamics, of_mechanism};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -15,7 +16,7 @@ use std::sync::Arc;
 #[derive(Debug)]
 #[must_use = "a problem is made by `build`"]
 pub struct ContactProblemBuilder {
-    name: Arc<str>,
+    name: String,
     rows_per_contact: usize,
     law: Law,
     friction: Option<Vec<f64>>,
@@ -120,16 +121,16 @@ impl ContactProblem {
     /// ```
     pub fn into_builder(self) -> ContactProblemBuilder {
         ContactProblemBuilder {
-            name: self.name,
+            name: self.name.into_inner(),
             rows_per_contact: self.rows_per_contact,
             law: self.law,
-            friction: Some(self.friction),
-            free_velocity: Ok(self.free_velocity),
-            shift: Some(self.shift),
+            friction: Some(self.friction.into_inner()),
+            free_velocity: Ok(self.free_velocity.into_inner()),
+            shift: Some(self.shift.into_inner()),
             delassus: Ok(self.delassus),
             compliance: self.compliance,
             dynamics: self.dynamics,
-            bodies: self.bodies,
+            bodies: self.bodies.map(Lent::into_inner),
             keys: self.keys,
         }
     }
@@ -178,7 +179,7 @@ fn free_motion_of(wanted: usize, found: usize) -> Error {
 impl ContactProblemBuilder {
     fn of(delassus: Result<Operator>, free_velocity: Result<DVector<f64>>, dynamics: Option<Known>) -> Self {
         ContactProblemBuilder {
-            name: Arc::default(),
+            name: String::new(),
             rows_per_contact: 3,
             law: Law::Coulomb,
             friction: None,
@@ -194,7 +195,7 @@ impl ContactProblemBuilder {
 
     /// A name for messages.
     pub fn name(mut self, name: impl Into<String>) -> Self {
-        self.name = name.into().into();
+        self.name = name.into();
         self
     }
 
@@ -266,18 +267,18 @@ impl ContactProblemBuilder {
     pub fn build(self) -> Result<ContactProblem> {
         let (delassus, free_velocity) = (self.delassus?, self.free_velocity?);
         let friction = friction(self.friction, self.law, free_velocity.len(), self.rows_per_contact)?;
-        let shift = self.shift.unwrap_or_else(|| DVector::zeros(free_velocity.len()));
+        let shift = self.shift.unwrap_or_else(|| spare::zeros(free_velocity.len()));
         let problem = ContactProblem {
-            name: self.name,
+            name: self.name.into(),
             rows_per_contact: self.rows_per_contact,
             law: self.law,
-            friction,
-            free_velocity,
-            shift,
+            friction: friction.into(),
+            free_velocity: free_velocity.into(),
+            shift: shift.into(),
             delassus,
             compliance: self.compliance,
             dynamics: self.dynamics,
-            bodies: self.bodies,
+            bodies: self.bodies.map(Lent::from),
             keys: self.keys,
             groups: Once::default(),
             weights: Once::default(),

@@ -2,6 +2,7 @@
 
 use super::dynamics::Dynamics;
 use crate::contact::{Inertia, Jacobian};
+use crate::memory::spare::{self, Lent};
 use crate::operator::BlockRows;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -18,7 +19,7 @@ pub(super) enum Known {
         /// H of the step.
         jacobian: Arc<Jacobian>,
         /// Which of its contacts these are, if they are not all of them.
-        members: Option<Vec<usize>>,
+        members: Option<Lent<Vec<usize>>>,
         dense: OnceLock<Dynamics>,
     },
 }
@@ -40,8 +41,9 @@ impl Known {
     /// M̂ and H of some of the contacts; none where H is a matrix.
     pub fn of(&self, contacts: &[usize]) -> Option<Self> {
         let Known::Sparse { inertia, jacobian, members, .. } = self else { return None };
-        let members = contacts.iter().map(|k| members.as_ref().map_or(*k, |members| members[*k])).collect();
-        Some(Known::Sparse { inertia: inertia.clone(), jacobian: jacobian.clone(), members: Some(members), dense: OnceLock::new() })
+        let own = contacts.iter().map(|k| members.as_ref().map_or(*k, |members| members[*k]));
+        let members = Some(spare::collected(contacts.len(), own).into());
+        Some(Known::Sparse { inertia: inertia.clone(), jacobian: jacobian.clone(), members, dense: OnceLock::new() })
     }
 
     /// M̂ by bodies, and H of the contacts themselves; none where they are matrices.

@@ -1,9 +1,9 @@
 //! The one-step contact problem: u = W r + u_free, y = u + shift + R r, (r, y) in the law.
 
 use super::{ContactKey, Law};
+use crate::memory::spare::Lent;
 use crate::operator::{ContactOperator, Islands, Operator, VelocityFactor};
 use nalgebra::{DMatrix, DVector};
-use std::sync::Arc;
 
 mod builder;
 mod dynamics;
@@ -47,9 +47,9 @@ pub struct Compliance {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Weights {
     /// ρ_n and ρ_t \[kg\].
-    pub weights: Vec<[f64; 2]>,
+    pub weights: Lent<Vec<[f64; 2]>>,
     /// Whether it moves anything.
-    pub moves_itself: Vec<[bool; 2]>,
+    pub moves_itself: Lent<Vec<[bool; 2]>>,
 }
 
 /// One step's contact problem, valid since it was built.
@@ -62,18 +62,18 @@ pub(crate) struct Weights {
 /// [`ContactProblem::new`] or [`ContactProblem::from_dynamics`] begins one; [`ContactProblem::into_builder`] changes one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactProblem {
-    name: Arc<str>,
+    name: Lent<String>,
     rows_per_contact: usize,
     law: Law,
-    friction: Vec<f64>,
-    free_velocity: DVector<f64>,
-    shift: DVector<f64>,
+    friction: Lent<Vec<f64>>,
+    free_velocity: Lent<DVector<f64>>,
+    shift: Lent<DVector<f64>>,
     delassus: Operator,
     compliance: Option<Compliance>,
     dynamics: Option<Known>,
-    bodies: Option<Vec<[Option<usize>; 2]>>,
+    bodies: Option<Lent<Vec<[Option<usize>; 2]>>>,
     keys: Option<Vec<ContactKey>>,
-    groups: Once<Vec<usize>>,
+    groups: Once<Lent<Vec<usize>>>,
     weights: Once<Weights>,
     islands: Once<Islands>,
     velocity_factor: Once<Option<VelocityFactor>>,
@@ -149,7 +149,7 @@ impl ContactProblem {
     }
 
     /// What `find` says of the contacts, which the certificate asks for every answer: it is found once.
-    pub(crate) fn groups(&self, find: impl FnOnce(&Self) -> Vec<usize>) -> &[usize] {
+    pub(crate) fn groups(&self, find: impl FnOnce(&Self) -> Lent<Vec<usize>>) -> &[usize] {
         self.groups.get_or(|| find(self))
     }
 
@@ -191,7 +191,7 @@ impl ContactProblem {
 
     /// The two bodies of each contact by number, the ground as `None`, where known: contacts of one pair are judged by one size.
     pub fn bodies(&self) -> Option<&[[Option<usize>; 2]]> {
-        self.bodies.as_deref()
+        self.bodies.as_ref().map(|bodies| bodies.as_slice())
     }
 
     /// What tells each contact from the others in any list, where known; by it [`carried`](super::carried) takes impulses to a changed
@@ -261,13 +261,13 @@ impl ContactProblem {
 
     /// u = W r + u_free \[m/s\] for impulses r \[N·s\].
     pub fn velocity(&self, impulse: &DVector<f64>) -> DVector<f64> {
-        self.apply(impulse) + &self.free_velocity
+        self.apply(impulse) + &*self.free_velocity
     }
 
     /// Overwrites `velocity` with [`ContactProblem::velocity`].
     pub(crate) fn write_velocity(&self, impulse: &[f64], velocity: &mut [f64]) {
         self.delassus.write_product(impulse, velocity);
-        velocity.iter_mut().zip(&self.free_velocity).for_each(|(u, free)| *u += free);
+        velocity.iter_mut().zip(&*self.free_velocity).for_each(|(u, free)| *u += free);
     }
 
     /// y = u + shift + R r \[m/s\]; an edge compliance is not part of it, because it acts on edge impulses.

@@ -2,6 +2,7 @@
 
 use super::once::Once;
 use super::{Compliance, ContactProblem, Coordinates, Law};
+use crate::memory::spare;
 use crate::operator::{BlockSparse, Islands, Operator};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
@@ -10,19 +11,20 @@ impl ContactProblem {
     /// The problem of one island, or of one contact that meets no other.
     pub(crate) fn island(&self, islands: &Islands, members: &[usize]) -> ContactProblem {
         let rows = self.rows_per_contact;
-        let part = |whole: &DVector<f64>| island_rows(whole, members, rows);
+        let part = |whole: &DVector<f64>| island_rows(whole, members, rows).into();
+        let each = |numbers: &mut dyn Iterator<Item = usize>| spare::collected(members.len(), numbers).into();
         let known = self.dynamics.as_ref().and_then(|known| known.of(members));
         // the first of an island of several is not the last of them
         let are_lone = members.last().is_some_and(|k| islands.first[*k] == *k);
         let is_stored = self.delassus.is_dense() || self.delassus.blocks().is_some();
         let own = is_stored.then(|| Islands::found(members.len(), are_lone));
         // contacts of one group are joined by W
-        let groups = self.groups.get().map(|groups| members.iter().map(|k| islands.place_among(members, groups[*k])).collect());
+        let groups = self.groups.get().map(|groups| each(&mut members.iter().map(|k| islands.place_among(members, groups[*k]))));
         ContactProblem {
             name: self.name.clone(),
             rows_per_contact: rows,
             law: self.law,
-            friction: members.iter().map(|k| self.friction[*k]).collect(),
+            friction: spare::collected(members.len(), members.iter().map(|k| self.friction[*k])).into(),
             free_velocity: part(&self.free_velocity),
             shift: part(&self.shift),
             delassus: self.delassus_of(islands, members),
@@ -31,7 +33,7 @@ impl ContactProblem {
                 diagonal: island_rows(diagonal, members, diagonal.len() / self.contacts()),
             }),
             dynamics: known,
-            bodies: self.bodies.as_ref().map(|bodies| members.iter().map(|k| bodies[*k]).collect()),
+            bodies: self.bodies.as_ref().map(|bodies| spare::collected(members.len(), members.iter().map(|k| bodies[*k])).into()),
             keys: None,
             groups: groups.map_or_else(Once::default, Once::known),
             weights: Once::default(),
@@ -60,7 +62,7 @@ impl ContactProblem {
             _ => return Ok(None),
         };
         let normal = |whole: &DVector<f64>| DVector::from_fn(contacts, |k, _| whole[k * rows]);
-        let mut problem = ContactProblem::new(operator, normal(&self.free_velocity)).name(&*self.name).rows_per_contact(1);
+        let mut problem = ContactProblem::new(operator, normal(&self.free_velocity)).name(self.name()).rows_per_contact(1);
         problem = problem.law(Law::Frictionless).friction(vec![0.0; contacts]).shift(normal(&self.shift));
         if let Some(Compliance { diagonal, .. }) = &self.compliance {
             problem = problem.compliance(Compliance { coordinates: Coordinates::Contact, diagonal: normal(diagonal) });
@@ -81,7 +83,7 @@ impl ContactProblem {
 
 /// The rows of these contacts.
 pub(crate) fn island_rows(whole: &DVector<f64>, members: &[usize], rows: usize) -> DVector<f64> {
-    let mut part = Vec::with_capacity(members.len() * rows);
+    let mut part = spare::vector(members.len() * rows);
     members.iter().for_each(|k| part.extend_from_slice(&whole.as_slice()[k * rows..(k + 1) * rows]));
     DVector::from_vec(part)
 }

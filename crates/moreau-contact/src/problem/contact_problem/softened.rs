@@ -14,7 +14,7 @@ impl ContactProblem {
         assert!(!on_edges, "a compliance on edges has no rows of contacts");
         assert!(softness.len() == self.rows() && shift.len() == self.rows(), "one entry per row");
         self.compliance = Some(Compliance { coordinates: Coordinates::Contact, diagonal: softness });
-        self.shift = shift;
+        self.shift = shift.into();
         self.weights = Once::default(); // they have R in them
     }
 }

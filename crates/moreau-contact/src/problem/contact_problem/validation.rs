@@ -67,7 +67,8 @@ impl ContactProblem {
         }
         let unknowns = self.law.directions().map_or(0, |d| d.saturating_add(2).saturating_mul(self.contacts()));
         // matrix, scaled matrix, and a tableau twice as wide with its copy
-        memory::require(&format!("a polyhedral problem of {unknowns} unknowns"), memory::matrix(unknowns, unknowns).saturating_mul(6))?;
+        let name = format_args!("a polyhedral problem of {unknowns} unknowns");
+        memory::require(name, memory::matrix(unknowns, unknowns).saturating_mul(6))?;
         match (self.law.directions(), self.rows_per_contact) {
             (Some(d), 3) if unknowns > POLYHEDRAL_UNKNOWNS => {
                 let problem = format!("is {d}, which makes {unknowns} unknowns with {} contacts", self.contacts());

@@ -4,6 +4,7 @@ mod stages;
 
 use super::{ContactSolver, workspace};
 use crate::certificate::Judge;
+use crate::memory::spare::{self, Lent, Spare};
 use crate::operator::Islands;
 use crate::problem::{ContactProblem, Coordinates, Law, Solution, island_rows};
 use crate::tolerance::certificate::CERTIFY;
@@ -193,7 +194,7 @@ fn through(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Go
 /// step before are those of this one.
 fn at_once(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Option<Solution> {
     if opens_everywhere(problem) {
-        return Some(Solution::new(NAME, DVector::zeros(problem.rows()), problem.free_velocity().clone(), 0));
+        return Some(Solution::new(spare::text(NAME), spare::zeros(problem.rows()), problem.free_velocity().copied(), 0));
     }
     let kept = warm_start?;
     let mut memory = workspace::borrow(problem);
@@ -210,7 +211,7 @@ fn islands(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Go
     if islands.members.len() + lone.saturating_sub(1) < 2 || !stages::is_iterated(problem) {
         return None;
     }
-    let mut merged = Merged { impulse: DVector::zeros(problem.rows()), longest: None };
+    let mut merged = Merged { impulse: spare::zeros(problem.rows()), longest: None };
     for (place, members) in islands.members.iter().enumerate() {
         let answer = |members: &[usize]| island(problem, islands, members, warm_start, goal);
         let together = answer(members);
@@ -223,7 +224,7 @@ fn islands(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Go
     }
     let (iterations, solver) = merged.longest?;
     let velocity = problem.velocity(&merged.impulse);
-    Some(Solution { solver, ..Solution::new(NAME, merged.impulse, velocity, iterations) })
+    Some(Solution::new(solver.into_inner(), merged.impulse, velocity, iterations))
 }
 
 /// The answer to one island, and whether it is good enough.
@@ -235,33 +236,35 @@ fn island(
     goal: Goal,
 ) -> Result<(Solution, bool)> {
     let island = problem.island(islands, members);
-    let kept = warm_start.map(|whole| island_rows(whole, members, problem.rows_per_contact()));
-    if let Some(solution) = at_once(&island, kept.as_ref(), goal) {
+    let kept = warm_start.map(|whole| Lent::from(island_rows(whole, members, problem.rows_per_contact())));
+    let kept = kept.as_deref();
+    if let Some(solution) = at_once(&island, kept, goal) {
         return Ok((solution, true));
     }
-    if let Some(solution) = super::few::solve(&island, kept.as_ref(), goal.stop, goal.enough) {
+    if let Some(solution) = super::few::solve(&island, kept, goal.stop, goal.enough) {
         return Ok((solution, true));
     }
-    let (relative, solution) = stages_in_turn(&island, kept.as_ref(), goal)?;
+    let (relative, solution) = stages_in_turn(&island, kept, goal)?;
     Ok((solution, relative <= goal.acceptable))
 }
 
 /// The answers to islands, put together.
 struct Merged {
     impulse: DVector<f64>,
-    longest: Option<(usize, String)>,
+    longest: Option<(usize, Lent<String>)>,
 }
 
 impl Merged {
     fn take(&mut self, members: &[usize], answer: Option<(Solution, bool)>) {
-        let Some((solution, _)) = answer else { return };
+        let Some((mut solution, _)) = answer else { return };
         let rows = solution.impulse.len() / members.len();
         for (k, part) in members.iter().zip(solution.impulse.as_slice().chunks_exact(rows)) {
             self.impulse.rows_mut(k * rows, rows).copy_from_slice(part);
         }
         if self.longest.as_ref().is_none_or(|(most, _)| solution.iterations > *most) {
-            self.longest = Some((solution.iterations, solution.solver));
+            self.longest = Some((solution.iterations, std::mem::take(&mut solution.solver).into()));
         }
+        solution.leave();
     }
 }
 
@@ -275,7 +278,11 @@ fn stages_in_turn(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, g
         // most contacts do what they did in the step before; where they do not, it is as if nothing had been tried
         let relative = judge.judge_prepared(problem, &solution)?.relative();
         iterations += solution.iterations;
-        best = (relative <= goal.enough).then_some((relative, solution));
+        if relative <= goal.enough {
+            best = Some((relative, solution));
+        } else {
+            solution.leave();
+        }
     }
     let mut failure = None;
     let stages = QUICK.iter().map(|stage| (stage, goal.enough)).chain(THOROUGH.iter().map(|stage| (stage, goal.acceptable)));
@@ -299,9 +306,8 @@ fn stages_in_turn(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, g
         iterations += solution.iterations;
         let relative = judge.judge_prepared(problem, &solution)?.relative();
         let better = !relative.is_nan() && best.as_ref().is_none_or(|(least, _)| relative < *least);
-        if better {
-            best = Some((relative, solution));
-        }
+        let worse = if better { best.replace((relative, solution)).map(|(_, worse)| worse) } else { Some(solution) };
+        worse.into_iter().for_each(Solution::leave);
     }
     match (best, failure) {
         (Some((relative, solution)), _) => {

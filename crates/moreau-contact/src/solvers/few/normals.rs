@@ -17,6 +17,7 @@ use super::elimination::eliminate;
 use super::parts::{MOST, answer, relative};
 use super::path;
 use super::rows::{Rows, Support, bit};
+use crate::memory::spare;
 use crate::problem::{ContactProblem, Solution};
 use crate::tolerance::certificate::{HIDDEN, gamma};
 use crate::tolerance::solvers::direct_steps;
@@ -40,7 +41,7 @@ pub(super) fn solve(problem: &ContactProblem, start: Option<&DVector<f64>>, enou
         Some(found) => ("newton-min", found),
         None => ("lemke", normals.by_path()?),
     };
-    let mut impulse = DVector::zeros(problem.rows());
+    let mut impulse = spare::zeros(problem.rows());
     (0..normals.size).for_each(|k| impulse[k * rows] = point.z[k]);
     let solution = answer(problem, name, impulse, steps);
     // the rounding of tangential rows is the certificate's affair

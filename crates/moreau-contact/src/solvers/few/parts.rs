@@ -1,5 +1,6 @@
 //! What every algorithm for a few contacts needs: how many they are, the certificate's residual, and an answer.
 
+use crate::memory::spare;
 use crate::problem::{ContactProblem, Solution};
 use crate::solvers::workspace;
 use crate::tolerance::solvers::DIRECT_CONTACTS;
@@ -17,5 +18,5 @@ pub(super) fn relative(problem: &ContactProblem, solution: &Solution) -> f64 {
 /// The answer of these impulses.
 pub(super) fn answer(problem: &ContactProblem, name: &str, impulse: DVector<f64>, iterations: usize) -> Solution {
     let velocity = problem.velocity(&impulse);
-    Solution::new(name, impulse, velocity, iterations)
+    Solution::new(spare::text(name), impulse, velocity, iterations)
 }

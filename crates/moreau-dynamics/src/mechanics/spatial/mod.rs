@@ -43,6 +43,7 @@ use crate::tolerance::mechanics::{BESIDE, PARALLEL_FACES};
 use features::{ground_touches, pair_touches};
 use moreau_contact::contact::frame::spatial_tangents;
 use moreau_contact::contact::{Contact, Mass, Place, Rows};
+use moreau_contact::memory::spare::{self, Lent, Spare};
 use moreau_exact::number::significant;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector, Matrix3, UnitQuaternion, Vector3};
@@ -143,7 +144,7 @@ impl SpatialBodies {
 
     /// The candidates with a gap of at most `reach`, their rows taken at the points of the two bodies that `seen` chooses.
     fn candidates(&self, position: &DVector<f64>, reach: f64, seen: impl Fn(&Touch) -> [Vector3<f64>; 2]) -> Vec<Contact> {
-        let mut contacts = Vec::with_capacity(self.neighbours.expected());
+        let mut contacts = spare::vector(self.neighbours.expected());
         self.touches(position, reach, |poses, first, second, touch| {
             contacts.push(self.contact(first, second, &Touch { seen: seen(touch), ..*touch }, &|body| poses[body]));
         });
@@ -153,7 +154,7 @@ impl SpatialBodies {
 
     /// (m g, τ) per body with the given torques in the body frame.
     fn weights(&self, torque: impl Fn(usize, &SpatialBody) -> Vector3<f64>) -> DVector<f64> {
-        let mut force = DVector::zeros(self.degrees_of_freedom());
+        let mut force = spare::zeros(self.degrees_of_freedom());
         for (k, body) in self.free() {
             force.fixed_rows_mut::<3>(6 * k).copy_from(&(self.gravity * body.mass()));
             force.fixed_rows_mut::<3>(6 * k + 3).copy_from(&torque(k, body));
@@ -190,7 +191,7 @@ impl Mechanism for SpatialBodies {
     }
 
     fn mass(&self, _position: &DVector<f64>) -> Mass {
-        Mass::Diagonal(self.inertias.clone())
+        Mass::Diagonal(self.inertias.copied())
     }
 
     fn is_free(&self) -> bool {
@@ -198,8 +199,9 @@ impl Mechanism for SpatialBodies {
     }
 
     fn kinetic_energy(&self, state: &State) -> f64 {
-        let momentum = self.inertias.zip_map(&state.velocity, |m, v| if m.is_finite() { m * v } else { 0.0 });
-        0.5 * state.velocity.dot(&momentum)
+        let mut momentum = Lent::from(self.inertias.copied());
+        momentum.zip_apply(&state.velocity, |m, v| *m = if m.is_finite() { *m * v } else { 0.0 });
+        0.5 * state.velocity.dot(&*momentum)
     }
 
     fn force(&self, _position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64> {
@@ -336,7 +338,7 @@ impl Mechanism for SpatialBodies {
     }
 
     fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
-        let mut next = position.clone();
+        let mut next = position.copied();
         for (k, pose) in self.poses(position).enumerate() {
             let centre = pose.centre + velocity.fixed_rows::<3>(6 * k) * h;
             let turned = (pose.quaternion * UnitQuaternion::from_scaled_axis(spin(k, velocity) * h)).into_inner().normalize();

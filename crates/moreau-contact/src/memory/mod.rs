@@ -1,10 +1,13 @@
 //! Memory is checked before it is taken: the need of a computation is estimated from its sizes and compared with one limit.
 //!
 //! The limit belongs to the process, as its memory does; the command line sets it once, before anything else. No result depends on it: a
-//! computation within the limit gives the same answer under every limit.
+//! computation within the limit gives the same answer under every limit. Memory that was taken may be used again ([`spare`]).
+
+pub mod spare;
 
 use crate::tolerance::limits::MEMORY_BYTES;
 use moreau_exact::{Error, Result};
+use std::fmt::Display;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 static LIMIT: AtomicU64 = AtomicU64::new(MEMORY_BYTES);
@@ -23,11 +26,11 @@ pub fn set_limit(bytes: u64) {
 ///
 /// # Errors
 /// [`Error::Invalid`] with the size needed and the cure.
-pub fn require(what: &str, bytes: u128) -> Result<()> {
+pub fn require(what: impl Display, bytes: u128) -> Result<()> {
     require_within(limit(), what, bytes)
 }
 
-fn require_within(limit: u64, what: &str, bytes: u128) -> Result<()> {
+fn require_within(limit: u64, what: impl Display, bytes: u128) -> Result<()> {
     if bytes <= u128::from(limit) {
         return Ok(());
     }
