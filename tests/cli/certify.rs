@@ -213,7 +213,11 @@ fn polyhedral_laws_have_the_ordinary_verdict_and_the_proof_of_their_complementar
     let run = moreau(&["certify", &problem, &answer(-0.25), "--prove", "--format", "json"]);
     assert_eq!((run.code, &run.json()["lcp"]["near"]["distance"]), (1, &0.25.into()), "{}", run.output);
     let run = moreau(&["certify", &of("polyhedral-associated"), &answer(0.25), "--prove", "--format", "json"]);
-    assert_eq!((run.code, &run.json()["forward"]["proved"]), (1, &false.into()), "{}{}", run.output, run.message);
+    // the solution is r = (1.6, −0.8, 0)
+    let radius = &run.json()["forward"]["radius"];
+    let far = 0.6f64.hypot(1.05);
+    assert_eq!((run.code, &run.json()["forward"]["proved"]), (1, &true.into()), "{}{}", run.output, run.message);
+    assert!(radius["impulse"].as_f64().is_some_and(|moved| moved >= far && moved <= 1.001 * far), "{radius}");
 }
 
 #[test]

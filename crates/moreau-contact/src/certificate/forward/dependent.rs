@@ -6,7 +6,8 @@
 //! Where the rows B of the pattern's linear equations y = 0 are independent and the others depend on them, with their free velocities, the
 //! equations of D follow from those of B. Compliant rows are independent of all others: in M̂ and H each has a column of its own.
 
-use super::pattern::{Case, Contact, pressed_rows};
+use super::case::Case;
+use super::pattern::{Contact, pressed_rows};
 use super::reason::Reason;
 use crate::certificate::planted::{Plant, planted};
 use crate::certificate::rank::{Entry, rank, surely_independent};

@@ -9,7 +9,8 @@
 //! only one in X. All sums are bounds: the product C J̃ is rounded, and its error is bounded a priori (Rump).
 
 use super::affine::{Affine, times};
-use super::pattern::{Case, Contact, ContactState, Equations, of, places};
+use super::case::{Case, ContactState, Equations};
+use super::pattern::{Contact, of, places};
 use crate::certificate::interval::Interval;
 use crate::certificate::planted::{Plant, planted};
 use crate::tolerance::proof::{BOXES, CORRECTIONS, ENTRY, INFLATION, SMALLEST_BOX, enlarged, product};

@@ -15,6 +15,7 @@
 //! dependent, or equations other than y = 0 are dependent, there is no proof, and the contact is named.
 
 mod affine;
+mod case;
 mod dependent;
 mod krawczyk;
 mod mechanism;
@@ -32,14 +33,15 @@ use crate::problem::{ByRows, ContactProblem, Coordinates, Solution};
 use crate::tolerance::proof::{PATTERNS, ROWS, enlarged};
 use affine::Affine;
 pub(super) use affine::times;
+use case::Case;
 pub(super) use dependent::independent_rows;
 use krawczyk::{Enclosed, System};
 pub(super) use mechanism::uncertainty;
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
-use pattern::{Case, Contact, of, pressed_rows, read_off};
+use pattern::{Contact, of, pressed_rows, read_off};
 
-pub use pattern::ContactState;
+pub use case::ContactState;
 pub use reason::Reason;
 
 /// What was decided about the solution near an answer.

@@ -3,16 +3,16 @@
 //! ```text
 //!     K = cone{ n + μ D_j } ,     e = D_{j+1} − D_j ,     ν = (e₂, −e₁) ,    away from the other directions
 //!
-//!     edge j    r_t = μ r_n D_j ,                          v = 0        holds where  r_n ≥ 0 ,  (D_i − D_j)·y_t ≥ 0 ,  −D_j·y_t ≥ 0
-//!     side j    ν·(r_t − μ r_n D_j) = 0 ,   e·y_t = 0 ,    v = 0        r_n ≥ 0 ,  r_t between its ends ,  −ν·y_t ≥ 0
-//!     inside    y = 0                                                   r_n ≥ 0 ,  ν·(r_t − μ r_n D_j) ≤ 0  on every side
-//!     open      r = 0                                                   y_n ≥ 0 ,    associated:  y_n + μ D_j·y_t ≥ 0
+//!     edge j    r_t = μ r_n D_j ,                        v = 0      holds where  r_n ≥ 0 ,  (D_i − D_j)·y_t ≥ 0 ,  −D_j·y_t ≥ 0
+//!     side j    ν·(r_t − μ r_n D_j) = 0 ,   e·y_t = 0 ,  v = 0      r_n ≥ 0 ,  r_t between its ends ,  −ν·y_t ≥ 0
+//!     inside    y = 0                                               r_n ≥ 0 ,  ν·(r_t − μ r_n D_j) ≤ 0  on every side
+//!     open      r = 0                                               y_n ≥ 0 ,    associated:  y_n + μ D_j·y_t ≥ 0
 //! ```
 //! with v = y_n under Coulomb's law and v = y_n + μ D_j·y_t, the velocity along the edge, under the associated one. D_j and μ are the
 //! numbers that they are stored as. On a side y_t = −c ν with c ≥ 0, and both its ends dissipate most if ν·(D_j − D_i) ≥ 0 for every i, which
 //! is looked at as well. All equations are linear.
 
-use super::pattern::{Case, Equations};
+use super::case::{Case, Equations};
 use crate::certificate::interval::Interval;
 use crate::cones::polyhedral::{direction, neighbours};
 
