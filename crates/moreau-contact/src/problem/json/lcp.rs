@@ -76,7 +76,10 @@ mod tests {
         refused(&TWO.replace("{\"shape\":[2,2],\"rows\":[[2,1],[0,1]]}", "[[2,1],[0,1]]"), "expected a matrix as {\"shape\"");
         refused(&TWO.replace("{\"shape\":[2,2],\"rows\":[[2,1],[0,1]]}", "null"), "null instead of a matrix");
         refused(&TWO.replace("vector", "vectr"), "vectr");
-        refused(&TWO.replace("\"rows\":[[2,1],[0,1]]", "\"blocks\":{\"row\":[],\"column\":[],\"value\":[]}"), "field `blocks`: unknown");
+        refused(
+            &TWO.replace("\"rows\":[[2,1],[0,1]]", "\"blocks\":{\"row\":[],\"column\":[],\"value\":[]}"),
+            "field `matrix.blocks`: unknown",
+        );
         refused(&TWO.replace("\"rows\":[[2,1],[0,1]]", "\"shape\":[2,2]").replacen("\"shape\":[2,2],", "", 1), "`rows` and `triplets`");
     }
 
