@@ -88,10 +88,8 @@ impl Polygon {
             let [along, outward] = self.side(j);
             (made.value[1], made.value[2]) = (dot(along, tangent(y)), dot(outward, beside));
             made.by_impulse[2][0] = -(mu * dot(outward, own));
-            for i in 0..2 {
-                made.by_velocity[1][1 + i] = along[i];
-                made.by_impulse[2][1 + i] = outward[i];
-            }
+            made.by_velocity[1][1..].copy_from_slice(&along);
+            made.by_impulse[2][1..].copy_from_slice(&outward);
             return;
         }
         for i in 0..2 {
