@@ -27,13 +27,13 @@
 //! sliver, and the crossing its tip.
 //!
 //! Edges that are nearly parallel over each other and tilted against each other have a common normal along the faces. No contact is
-//! where it points out of neither body: it must have no part against a face beside either edge, up to [`BESIDE`], and its feet must be on
-//! the edges.
+//! where it points out of neither body: it must have no part against a face beside either edge, up to [`LEANING`], and its feet must be on
+//! the edges, up to the gap.
 
 use super::faces::Faces;
 use super::shape::Pose;
 use super::touch::{Touch, Touches, direction};
-use crate::tolerance::mechanics::{BESIDE, ON_RIM, PARALLEL, SAME_POINT};
+use crate::tolerance::mechanics::{BESIDE, LEANING, ON_RIM, PARALLEL, SAME_POINT};
 use nalgebra::Vector3;
 use parry3d_f64::math::{Pose as ParryPose, Rotation, Vector};
 use parry3d_f64::query::details::{closest_points_segment_segment, contact_manifold_cuboid_cuboid};
@@ -135,7 +135,8 @@ impl<'a> Pair<'a> {
         };
         let gap = normal.dot(&(feet[0] - feet[1]));
         let touch = Touch::new(gap, normal, feet, [point.fid1.0, point.fid2.0]);
-        if is_crossing && self.overshoot(&touch) > BESIDE * gap.abs() + SAME_POINT * self.size {
+        // the normal may lean against the axis of the clipping by half a right angle: the feet are then beside by the depth
+        if is_crossing && self.overshoot(&touch) > gap.abs() + SAME_POINT * self.size {
             return None;
         }
         Some(faces.map_or(touch, |faces| faces.join(touch)))
@@ -199,7 +200,7 @@ impl<'a> Pair<'a> {
         }
         let sign = if cross.dot(&outward) < 0.0 { -1.0 } else { 1.0 };
         let normal = turn(cross * (sign / length));
-        let points_out = |body: usize, sense: f64| beside[body].iter().all(|face| sense * face.dot(&normal) >= -BESIDE);
+        let points_out = |body: usize, sense: f64| beside[body].iter().all(|face| sense * face.dot(&normal) >= -LEANING);
         if !points_out(0, -1.0) || !points_out(1, 1.0) {
             return None;
         }
