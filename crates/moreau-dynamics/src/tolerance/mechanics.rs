@@ -90,9 +90,9 @@ pub const ROOT_STEPS: usize = 64;
 /// Set.
 pub const ON_RIM: f64 = 4096.0 * f64::EPSILON;
 
-/// Sine of the angle by which the normal of two edges may point into a face beside one of them, 1/16 or 3.6°. Edges of bodies that turn by as
-/// much in a step may touch there at its end, and without them a scheme of linear gaps lets them pass; what points into a face by more
-/// pushes a body that lies on another one aside.
+/// Sine of the angle by which the normal of two edges may point into a face beside one of them, 1/16 or 3.6°. Edges of bodies that turn
+/// by as much in a step may touch there at its end, and without them a scheme of linear gaps lets them pass; what points into a face by
+/// more pushes a body that lies on another one aside.
 /// Set.
 pub const LEANING: f64 = 1.0 / 16.0;
 
