@@ -9,8 +9,8 @@
 //!     open      r = 0                                               y_n ≥ 0 ,    associated:  y_n + μ D_j·y_t ≥ 0
 //! ```
 //! with v = y_n under Coulomb's law and v = y_n + μ D_j·y_t, the velocity along the edge, under the associated one. D_j and μ are the
-//! numbers that they are stored as. On a side y_t = −c ν with c ≥ 0, and both its ends dissipate most if ν·(D_j − D_i) ≥ 0 for every i, which
-//! is looked at as well. All equations are linear.
+//! numbers that they are stored as. On a side y_t = −c ν with c ≥ 0, and both its ends dissipate most if ν·(D_j − D_i) ≥ 0 for every i,
+//! which is looked at as well. All equations are linear.
 
 use super::case::{Case, Equations};
 use crate::certificate::interval::Interval;
