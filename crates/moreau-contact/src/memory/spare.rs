@@ -4,7 +4,7 @@
 //! from. Each thread has its own, without locks, and of each kind of entry it keeps no more than [`SPARE_VECTORS`] vectors and
 //! [`SPARE_BYTES`] in all, so that the memory of a large problem is not kept for ever. Vectors that nobody leaves are freed as any.
 
-use crate::tolerance::limits::{SPARE_BYTES, SPARE_VECTORS};
+use crate::tolerance::limits::{SPARE_BYTES, SPARE_ROOM, SPARE_VECTORS};
 use nalgebra::DVector;
 use std::cell::RefCell;
 use std::fmt::{Debug, Formatter, Result};
@@ -42,12 +42,18 @@ impl<T> Shelf<T> {
         Shelf { vectors: Vec::new(), bytes: 0 }
     }
 
-    /// The smallest vector with so much room.
+    /// The smallest vector with so much room, unless it has far more: whoever keeps an answer to a small problem would keep it.
     fn take(&mut self, room: usize) -> Option<Vec<T>> {
         let place = self.vectors.partition_point(|vector| vector.capacity() < room);
-        let vector = (place < self.vectors.len()).then(|| self.vectors.remove(place))?;
+        let most = room.next_power_of_two().saturating_mul(SPARE_ROOM);
+        let fits = self.vectors.get(place).is_some_and(|vector| vector.capacity() <= most);
+        fits.then(|| self.remove(place))
+    }
+
+    fn remove(&mut self, place: usize) -> Vec<T> {
+        let vector = self.vectors.remove(place);
         self.bytes -= vector.capacity() * size_of::<T>();
-        Some(vector)
+        vector
     }
 
     /// Keeps an empty vector, in place of the smallest one where there are many.
@@ -61,7 +67,7 @@ impl<T> Shelf<T> {
         self.bytes += bytes;
         self.vectors.insert(place, vector);
         if is_full {
-            self.take(0);
+            self.remove(0);
         }
     }
 }
@@ -309,7 +315,7 @@ mod tests {
     #[test]
     fn what_is_taken_is_empty_and_its_memory_is_that_of_the_smallest_that_fits() {
         in_a_new_thread(|| {
-            let [small, large] = [3, 300].map(|size| repeated(size, 7.0));
+            let [small, large] = [3, 9].map(|size| repeated(size, 7.0));
             let [at_small, at_large] = [&small, &large].map(|vector| vector.as_ptr());
             large.leave();
             small.leave();
@@ -318,6 +324,12 @@ mod tests {
             let other: Vec<f64> = vector(3);
             assert_eq!((other.len(), other.as_ptr()), (0, at_large));
             zeros.leave();
+            let huge: Vec<f64> = Vec::with_capacity(300);
+            let at_huge = huge.as_ptr();
+            huge.leave();
+            let held: Vec<Vec<f64>> = (0..3).map(|_| vector(3)).collect();
+            assert!(held.iter().all(|vector| vector.capacity() <= 4 * SPARE_ROOM), "a small answer holds no large memory");
+            assert_eq!(vector::<f64>(256).as_ptr(), at_huge);
             assert_eq!(column(&[1.0, 2.0]).as_slice(), [1.0, 2.0]);
             assert_eq!((text("a").copied(), empty_text(9)), ("a".into(), String::new()));
         });

@@ -21,3 +21,8 @@ pub const SPARE_BYTES: usize = 8_000_000;
 /// Most iterations a solver may be allowed: a thousand times the largest default.
 /// Set.
 pub const ITERATIONS: usize = 100_000_000;
+
+/// How many times the room that is asked for, as a power of two, a spare vector has at most: islands of a heap differ by about as much from
+/// step to step, and a kept answer holds no more.
+/// Set.
+pub const SPARE_ROOM: usize = 16;
