@@ -329,7 +329,8 @@ mod tests {
             huge.leave();
             let held: Vec<Vec<f64>> = (0..3).map(|_| vector(3)).collect();
             assert!(held.iter().all(|vector| vector.capacity() <= 4 * SPARE_ROOM), "a small answer holds no large memory");
-            assert_eq!(vector::<f64>(256).as_ptr(), at_huge);
+            let wide: Vec<f64> = vector(256);
+            assert_eq!(wide.as_ptr(), at_huge);
             assert_eq!(column(&[1.0, 2.0]).as_slice(), [1.0, 2.0]);
             assert_eq!((text("a").copied(), empty_text(9)), ("a".into(), String::new()));
         });
