@@ -78,10 +78,15 @@ impl VelocityFactor {
         self.entries.clone_from(&other.entries);
     }
 
+    /// How many velocities there are.
+    pub fn velocities(&self) -> usize {
+        self.columns.iter().sum()
+    }
+
     /// Whether there are so much fewer velocities than rows that elimination in them pays.
     pub fn pays(&self) -> bool {
         let contacts = (0..self.contacts()).filter(|k| !self.parts(*k).is_empty()).count();
-        pays(self.columns.iter().sum(), self.rows_per_contact * contacts)
+        pays(self.velocities(), self.rows_per_contact * contacts)
     }
 
     /// Of a mechanism that consists of bodies of one size; none where it does not, or its velocities are too many to pay.

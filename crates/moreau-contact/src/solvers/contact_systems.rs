@@ -52,6 +52,12 @@ impl ContactSystems {
         self.contacts.factor(w, slopes, is_symmetric)
     }
 
+    /// Whether the last J should have been eliminated in velocities, and too many digits were lost there: over contacts it costs several
+    /// times as much.
+    pub(super) fn has_lost_digits(&self) -> bool {
+        self.has_velocities && !self.is_in_velocities
+    }
+
     /// The x with J x = b, of the last J that was factored; none where it is singular for rounding.
     ///
     /// # Panics

@@ -231,15 +231,31 @@ pub const fn direct_steps(contacts: usize) -> usize {
     2 * contacts
 }
 
-/// Part of its first gap at which the interior point method hands over to Newton's: of walls of 1 060 and 10 084 bricks' contacts, at rest
-/// and pushed, Newton's method ended those from 10⁻³ and 10⁻⁴ in the fewest steps, and from 10⁻⁵ a pushed one cost half as much again.
+/// Part of its first gap at which the interior point method hands over: of walls of 1 060 and 10 084 bricks' contacts, at rest and pushed,
+/// proximal points ended those from 10⁻⁵ soonest; from 10⁻⁴ a pushed one took three times as many of Newton's steps, and from 10⁻² one at
+/// rest sixteen times as many.
 /// Set.
-pub const IDENTIFIED: f64 = 1e-4;
+pub const IDENTIFIED: f64 = 1e-5;
 
 /// Fewest contacts of a problem on which `auto` begins with interior points where there are fewer velocities than rows: below, a few dozen
 /// sweeps cost less than their twenty steps.
 /// Set.
 pub const FEWEST_REDUNDANT: usize = 200;
+
+/// How many rows for each velocity make interior points come first: bricks in a wall have four. A pile of spheres with 2.7 contacts each
+/// has 1.3; there sweeps come near a solution, and the lift of Coulomb's law leads interior points astray.
+/// Set.
+pub const REDUNDANT: usize = 2;
+
+/// Fewest contacts of a problem with fewer rows than that on which `auto` makes plain sweeps before interior points: below, those cost
+/// less.
+/// Set.
+pub const FEWEST_FREE: usize = 1000;
+
+/// Plain sweeps there. 8 000 over the 5 464 contacts of a pile of spheres take as long as twenty steps of Newton's method; from there
+/// proximal points took 52 steps, 89 from 5 000 and 97 from 3 000.
+/// Set.
+pub const SWEEPS_OF_FREE: usize = 8000;
 
 /// Fewest contacts of a problem that `auto` takes apart into islands, or begins with Newton's method from the step before: what is smaller
 /// is solved to the last bit by sweeps, in the time that takes.

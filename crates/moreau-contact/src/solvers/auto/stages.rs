@@ -8,7 +8,7 @@ use super::super::{
 };
 use crate::certificate::Judge;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
-use crate::tolerance::newton::STEPS_IN_AUTO;
+use crate::tolerance::newton::{NEAR, NEAR_PROXIMAL, STEPS_AFTER_INTERIOR, STEPS_IN_AUTO};
 use crate::tolerance::solvers::{self as tolerance, ENOUGH};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -24,10 +24,11 @@ pub(super) const QUICK: &[(Takes, Stage)] = &[
     (|problem| problem.compliance().is_some(), |problem, start, _| GaussNewton::default().solve(problem, start)),
     (is_direct, |problem, start, _| NewtonMin { steps: tolerance::direct_steps(problem.contacts()) }.solve(problem, start)),
     (|problem| is_direct(problem) && !is_swept_alone(problem), |problem, _, _| LemkePivoting.solve(problem, None)),
-    (is_redundant, |problem, _, stop| through_interior(problem, tolerance::IDENTIFIED, stop)),
+    (is_redundant, |problem, _, stop| through_interior_and_points(problem, stop)),
     (is_iterated, few_sweeps),
     (is_iterated, short_newton),
-    (is_large, |problem, _, stop| through_interior(problem, 0.0, stop)),
+    (is_many_and_free, through_sweeps),
+    (is_large, |problem, _, stop| through_interior(problem, stop)),
     (is_iterated, newton),
     (is_principal, principal_pivots),
 ];
@@ -129,7 +130,13 @@ fn short_newton(problem: &ContactProblem, start: Option<&DVector<f64>>, stop: f6
 
 /// Whether interior points are for it, and it has so many more rows than velocities that they cost little where others go astray.
 fn is_redundant(problem: &ContactProblem) -> bool {
-    problem.contacts() >= tolerance::FEWEST_REDUNDANT && is_large(problem) && problem.velocity_factor().is_some()
+    let is_many = problem.contacts() >= tolerance::FEWEST_REDUNDANT && is_large(problem);
+    is_many && problem.velocity_factor().is_some_and(|factor| problem.rows() >= tolerance::REDUNDANT * factor.velocities())
+}
+
+/// Whether so many contacts leave so many bodies so free that sweeps come near a solution, and steps of Newton's method cost much.
+fn is_many_and_free(problem: &ContactProblem) -> bool {
+    problem.contacts() >= tolerance::FEWEST_FREE && is_large(problem) && !is_redundant(problem)
 }
 
 /// Whether interior points are for it.
@@ -203,9 +210,31 @@ fn through_softness(problem: &ContactProblem, _: Option<&DVector<f64>>, stop: f6
 }
 
 /// Interior points, which tell which contacts press, stick and slide however redundant they are, and Newton from there.
-fn through_interior(problem: &ContactProblem, gap: f64, stop: f64) -> Result<Solution> {
-    let begun = InteriorPoint { tolerance: stop, gap, ..Default::default() }.solve(problem, None)?;
+fn through_interior(problem: &ContactProblem, stop: f64) -> Result<Solution> {
+    let begun = InteriorPoint { tolerance: stop, ..Default::default() }.solve(problem, None)?;
     let ended = NonsmoothNewton { starts: 1, tolerance: stop, ..Default::default() }.solve(problem, Some(&begun.impulse))?;
+    Ok(Solution { iterations: begun.iterations + ended.iterations, ..ended })
+}
+
+/// Interior points as far as they tell most contacts apart, proximal points for those that they do not, and Newton for the last digits.
+fn through_interior_and_points(problem: &ContactProblem, stop: f64) -> Result<Solution> {
+    let begun = InteriorPoint { tolerance: stop, gap: tolerance::IDENTIFIED, ..Default::default() }.solve(problem, None)?;
+    let near = NEAR.max(stop);
+    let points =
+        ProximalNewton { steps: STEPS_AFTER_INTERIOR, tolerance: near, softness: NEAR_PROXIMAL }.solve(problem, Some(&begun.impulse))?;
+    let iterations = begun.iterations + points.iterations;
+    if stop >= near {
+        return Ok(Solution { iterations, ..points });
+    }
+    let ended = NonsmoothNewton { starts: 1, tolerance: stop, ..Default::default() }.solve(problem, Some(&points.impulse))?;
+    Ok(Solution { iterations: iterations + ended.iterations, ..ended })
+}
+
+/// Plain sweeps, which go on where accelerated ones jump between contacts that open and slide, and proximal points from there.
+fn through_sweeps(problem: &ContactProblem, start: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
+    let solver = ProjectedGaussSeidel { sweeps: tolerance::SWEEPS_OF_FREE, tolerance: stop, ..Default::default() };
+    let begun = solver.solve(problem, start)?;
+    let ended = ProximalNewton { steps: STEPS_IN_AUTO, tolerance: stop, ..Default::default() }.solve(problem, Some(&begun.impulse))?;
     Ok(Solution { iterations: begun.iterations + ended.iterations, ..ended })
 }
 
