@@ -61,6 +61,7 @@ def all_posed():
     """Every problem that is posed, the large ones too."""
     for module in (small, boxes, spheres, steps):
         yield from module.all_problems()
+    yield from boxes.large()
     yield from spheres.large()
 
 

@@ -1,6 +1,6 @@
 """Boxes: resting and sliding, towers, brick walls, arches, in the plane and in space."""
 
-from problems.mechanism import Draw, Plane, Space, falling
+from problems.mechanism import Draw, Plane, Space, falling, unit
 from problems.posed import Posed
 
 BRICK = (0.25, 0.125, 0.125)  # half extents, m
@@ -188,6 +188,30 @@ def _walls():
                 _wall(8, 10, 0.25, 1.0).problem("wall-8x10-associated", "associated"))
 
 
+def _uneven(seed, contacts, friction, slow, two):
+    """A box that slides over points which are all but in a plane, all but facing up: heights and slopes of 1/4096."""
+    draw, world, uneven = Draw(seed), Space(), 1 / 4096
+
+    def speed():
+        return [slow * draw.fraction(), slow * draw.fraction(), slow * draw.fraction() - 0.125] + [slow * draw.fraction() for _ in range(3)]
+
+    body = world.box((0.5 + draw.whole(64) / 128, 0.5 + draw.whole(64) / 128, 0.5), 1 + draw.whole(15), speed())
+    other = world.box((1.0, 1.0, 0.5), 1 + draw.whole(15), [slow * draw.fraction() for _ in range(6)]) if two else None
+    for _ in range(contacts):
+        x, y, height = draw.fraction(), draw.fraction(), uneven * draw.fraction()
+        slope = [[0.0, 0.0], [uneven, 0.0], [0.0, uneven * draw.fraction()]][draw.whole(2)]
+        world.touch(body, other, [x, y, height - 0.5], [x - 0.25, y - 0.125, height + 0.5] if two else None, unit([*slope, 1.0]), friction)
+    return world
+
+
+def _slides():
+    """Which of the points press decides about a hundred millionth of the speed: methods that go by residuals do not tell."""
+    for seed, contacts in [(408, 7), (9031, 8), (2885, 9), (2193, 10), (7063, 11), (3851, 12)]:
+        friction, slow, two = (0.125, 0.25, 0.5)[seed // 9 % 3], (1 / 128, 1 / 32, 1 / 8)[seed // 27 % 3], seed // 81 % 2 == 1
+        about = f"a box that slides on {contacts} points of {'another box' if two else 'the ground'} which are all but in a plane"
+        yield Posed("uneven", about, _uneven(seed, contacts, friction, slow, two).problem(f"uneven-{contacts}"))
+
+
 def _directions(stones):
     """Unit vectors of the joints of an arch over about half a circle, from right to left."""
     m = 0.7854 * 2 / (2 * stones)
@@ -239,5 +263,12 @@ def _tables():
 
 def all_problems():
     """The problems, in order."""
-    for family in (_on_floor, _planar, _towers, _convex, _walls, _arches, _tables, _hard):
+    for family in (_on_floor, _planar, _towers, _convex, _walls, _arches, _tables, _hard, _slides):
         yield from family()
+
+
+def large():
+    """Walls that are too large to be stored."""
+    for name, push in [("wall-36x36", 0.0), ("wall-36x36-pushed", 1.0)]:
+        about = "a wall of bricks, 36 wide and 36 high, " + ("pushed out of its plane" if push else "at rest")
+        yield Posed("walls", about, _wall(36, 36, 0.25 if push else 0.5, push).problem(name))

@@ -13,7 +13,8 @@ use std::path::PathBuf;
 /// Write a contact problem in another format.
 ///
 /// Reads contact-problem/1, lcp/1, Siconos's .dat or FCLIB's HDF5. Writes contact-problem/1, or FCLIB's local HDF5 where the name of the
-/// output ends in .hdf5 or .h5; every number is kept to its last bit.
+/// output ends in .hdf5 or .h5. Every number that the format holds is kept to its last bit; FCLIB's holds W in place of M and H, and
+/// neither bodies nor keys nor a name: the file's name is the problem's.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {

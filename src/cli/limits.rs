@@ -98,12 +98,13 @@ pub fn default_tolerance() -> &'static str {
     &TEXT
 }
 
-/// Refuses a tolerance that is negative or no number.
+/// Refuses a tolerance that is negative, no number, or so large that impulses of zero would do.
 pub fn check_tolerance(option: &str, tolerance: f64) -> Result<()> {
-    if tolerance.is_finite() && tolerance >= 0.0 {
+    if (0.0..1.0).contains(&tolerance) {
         return Ok(());
     }
-    Err(Error::invalid(option, format!("is {tolerance}"), "use a finite number ≥ 0"))
+    let cure = "use a number from 0 to below 1, a part of the size of each contact's impulse and velocity: with 1 every answer would do";
+    Err(Error::invalid(option, format!("is {tolerance}"), cure))
 }
 
 #[cfg(test)]
@@ -125,6 +126,16 @@ mod tests {
     fn the_default_tolerance_is_written_short_and_read_back_to_the_last_bit() {
         assert_eq!(default_tolerance(), "1e-8");
         assert_eq!(default_tolerance().parse::<f64>().expect("a number"), CERTIFY);
+    }
+
+    #[test]
+    fn tolerances_are_parts_of_one() {
+        for tolerance in [0.0, 1e-300, 0.999] {
+            assert!(check_tolerance("--tolerance", tolerance).is_ok(), "{tolerance}");
+        }
+        for tolerance in [-1e-300, 1.0, f64::INFINITY, f64::NAN] {
+            assert!(check_tolerance("--tolerance", tolerance).expect_err("no part of one").to_string().contains("below 1"), "{tolerance}");
+        }
     }
 
     #[test]

@@ -252,6 +252,29 @@ pub const REDUNDANT: usize = 2;
 /// Set.
 pub const FEWEST_FREE: usize = 1000;
 
+/// Most contacts of a problem with a W that is stored densely on which `auto` solves Fischer and Burmeister's equations: some sixty steps
+/// of 2(3n)³/3 operations take a second there.
+/// Set.
+pub const SMOOTHED_CONTACTS: usize = 100;
+
+/// Most contacts of a problem of which `auto` leaves out some: of more, twelve are seldom all that press.
+/// Set.
+pub const CONTACTS_LEFT_OUT: usize = 50;
+
+/// The contacts of which every set is tried: the 4095 sets of twelve take half a second, and only problems come to them that some thousand
+/// steps of other algorithms did not solve.
+/// Set.
+pub const CONTACTS_IN_SETS: usize = 12;
+
+/// Newton's steps for each of those sets: from the right one a few square the error to rounding.
+/// Set.
+pub const STEPS_LEFT_OUT: usize = 20;
+
+/// How many contacts may be left out for Fischer and Burmeister's equations to be solved, too: 79 sets of twelve contacts, a millisecond or
+/// two for each.
+/// Set.
+pub const LEFT_OUT_OF_SMOOTHED: usize = 2;
+
 /// Plain sweeps there. 8 000 over the 5 464 contacts of a pile of spheres take as long as twenty steps of Newton's method; from there
 /// proximal points took 52 steps, 89 from 5 000 and 97 from 3 000.
 /// Set.

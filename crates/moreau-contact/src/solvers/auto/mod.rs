@@ -1,5 +1,6 @@
 //! The default solver, which tries several algorithms in turn.
 
+mod fewer_contacts;
 mod stages;
 
 use super::{ContactSolver, workspace};
@@ -21,34 +22,39 @@ use stages::{QUICK, THOROUGH, left_out};
 /// |---|---|
 /// | many contacts, or a few at which all else failed | each island of contacts that meet by itself |
 /// | a warm start of many contacts that is no solution any more | a few steps of nonsmooth Newton from it |
-/// | a few contacts without friction | Newton-min or Lemke's path on the stack |
-/// | a few contacts under Coulomb's law | a few sweeps and Newton, on the stack |
+/// | up to 12 contacts without friction | Newton-min or Lemke's path on the stack |
+/// | up to 12 contacts under Coulomb's law | a few sweeps and Newton, on the stack |
 /// | soft contacts | Newton on Gauss's principle |
-/// | no friction, a few contacts | Newton-min, Lemke |
-/// | many contacts, fewer velocities than rows, round cones | interior points until the contacts are told apart, and Newton from there |
+/// | no friction, up to 12 contacts | Newton-min, and Lemke where a contact does not move itself |
+/// | many contacts, two rows for each velocity, round cones | interior points until contacts are told apart, proximal points, Newton |
 /// | all but a compliance on edges | a few accelerated sweeps, and a few steps of nonsmooth Newton from what they found |
+/// | a thousand contacts, fewer rows for each velocity, W stored by blocks, round cones | plain sweeps, and proximal points from there |
 /// | W stored by blocks, round cones | interior points, and Newton from there |
 /// | all but a compliance on edges | Newton |
 /// | no friction, up to 1 000 contacts | parametric principal pivots |
 /// | all but a compliance on edges, where that was not good enough | proximal points around Newton, from zero |
+/// | second-order cones; W stored by blocks, or not too many contacts | Fischer and Burmeister's equations, and Newton |
 /// | W stored by blocks | Newton from zero |
 /// | one row, the plane, polyhedral laws, no friction; up to five times as many contacts as further down | Lemke |
 /// | the same without the polyhedral associated law in space | more accelerated sweeps, and Newton |
 /// | all but a compliance on edges | Newton from zero; Newton on contacts that are soft at first and then harder and harder |
 /// | second-order cones | plain sweeps, and Newton from what they found |
-/// | second-order cones and a symmetric W | a few steps of the alternating directions, and Newton |
+/// | second-order cones | a few steps of the alternating directions, and Newton |
 /// | one row, the plane, polyhedral laws, no friction; not too many contacts | Lemke |
+/// | second-order cones, up to 50 contacts | Newton without some of them, for every set of those that are left |
 /// | second-order cones, not too many contacts | Lemke with an octagon, then a pentagon, in place of the disk, and Newton |
-/// | second-order cones and a symmetric W | many steps of the alternating directions, and Newton |
+/// | second-order cones | many steps of the alternating directions, and Newton |
 /// | second-order cones | over-relaxation |
 /// | polyhedral Coulomb in space | plain sweeps |
-/// | the associated law | accelerated projected gradient, Clarabel |
+/// | the associated laws | accelerated projected gradient with round cones, Clarabel |
 /// | one row, the plane, polyhedral laws, no friction; up to ten times as many contacts as before | Lemke |
 /// | no friction, several rows | all of this again, for the normal rows alone |
 /// | one row, few contacts | complementary cones, in whole numbers: a solution, or the proof that there is none |
 ///
-/// Each starts from the best answer of those before. The order and the numbers of iterations are fixed, so that the same problem has the
-/// same answer on every machine; no clock is asked. The answer names the algorithm it came from, with the iterations of all.
+/// What takes a start has the best answer of those before; pivots, interior points, paths from soft to hard and from smooth to sharp begin
+/// anew. The order and the numbers of iterations are fixed, so that the same problem has the same answer on every machine; no clock is
+/// asked unless `--time-limit` gives one. The answer names the algorithm it came from, with the iterations of all that were tried after the
+/// stack; of several islands, those of the one that took most.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Auto;
 

@@ -3,9 +3,11 @@
 #[cfg(feature = "clarabel")]
 use super::super::ClarabelPolished;
 use super::super::{
-    AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, Enumeration, GaussNewton, InteriorPoint, LemkePivoting, NewtonMin,
-    NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation, ProximalNewton, compliance,
+    AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, Enumeration, FischerBurmeister, GaussNewton, InteriorPoint,
+    LemkePivoting, NewtonMin, NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation, ProximalNewton,
+    compliance,
 };
+use super::fewer_contacts;
 use crate::certificate::Judge;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
 use crate::tolerance::newton::{NEAR, NEAR_PROXIMAL, STEPS_AFTER_INTERIOR, STEPS_IN_AUTO};
@@ -36,6 +38,7 @@ pub(super) const QUICK: &[(Takes, Stage)] = &[
 /// Those that follow where the answer is not good enough yet for the certificate, [`ACCEPTABLE`].
 pub(super) const THOROUGH: &[(Takes, Stage)] = &[
     (is_iterated, |problem, _, stop| ProximalNewton { steps: STEPS_IN_AUTO, tolerance: stop, ..Default::default() }.solve(problem, None)),
+    (is_smoothed, through_smoothing),
     (has_blocks, |problem, _, stop| newton(problem, None, stop)),
     (is_pivoted_soon, |problem, _, _| LemkePivoting.solve(problem, None)),
     (is_swept, more_sweeps),
@@ -51,6 +54,7 @@ pub(super) const THOROUGH: &[(Takes, Stage)] = &[
     }),
     (has_second_order_cone, newton),
     (is_pivoted, |problem, _, _| LemkePivoting.solve(problem, None)),
+    (|problem| has_second_order_cone(problem) && fewer_contacts::fits(problem), fewer_contacts::solve),
     (is_round, |problem, _, stop| through_polygon(problem, tolerance::LEMKE_DIRECTIONS[0], stop)),
     (is_round, |problem, _, stop| through_polygon(problem, tolerance::LEMKE_DIRECTIONS[1], stop)),
     (has_second_order_cone, |problem, start, stop| AlternatingDirections { tolerance: stop, ..Default::default() }.solve(problem, start)),
@@ -144,6 +148,11 @@ fn is_large(problem: &ContactProblem) -> bool {
     has_blocks(problem) && has_second_order_cone(problem)
 }
 
+/// Whether Fischer and Burmeister's equations are for it, and their steps cost little.
+fn is_smoothed(problem: &ContactProblem) -> bool {
+    is_iterated(problem) && has_second_order_cone(problem) && (has_blocks(problem) || problem.contacts() <= tolerance::SMOOTHED_CONTACTS)
+}
+
 /// All but a compliance on edges.
 pub(super) fn is_iterated(problem: &ContactProblem) -> bool {
     NonsmoothNewton::fits(problem)
@@ -228,6 +237,13 @@ fn through_interior_and_points(problem: &ContactProblem, stop: f64) -> Result<So
     }
     let ended = NonsmoothNewton { starts: 1, tolerance: stop, ..Default::default() }.solve(problem, Some(&points.impulse))?;
     Ok(Solution { iterations: iterations + ended.iterations, ..ended })
+}
+
+/// Fischer and Burmeister's equations, whose path passes by many patterns that others get caught in, and Newton for the last digits.
+pub(super) fn through_smoothing(problem: &ContactProblem, _: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
+    let begun = FischerBurmeister { tolerance: stop, ..Default::default() }.solve(problem, None)?;
+    let ended = newton(problem, Some(&begun.impulse), stop)?;
+    Ok(Solution { iterations: begun.iterations + ended.iterations, ..ended })
 }
 
 /// Plain sweeps, which go on where accelerated ones jump between contacts that open and slide, and proximal points from there.
