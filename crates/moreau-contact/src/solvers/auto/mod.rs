@@ -1,6 +1,7 @@
 //! The default solver, which tries several algorithms in turn.
 
 mod fewer_contacts;
+mod smoothing;
 mod stages;
 
 use super::{ContactSolver, workspace};

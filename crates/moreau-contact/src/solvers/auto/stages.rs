@@ -3,11 +3,10 @@
 #[cfg(feature = "clarabel")]
 use super::super::ClarabelPolished;
 use super::super::{
-    AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, Enumeration, FischerBurmeister, GaussNewton, InteriorPoint,
-    LemkePivoting, NewtonMin, NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation, ProximalNewton,
-    compliance,
+    AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, Enumeration, GaussNewton, InteriorPoint, LemkePivoting, NewtonMin,
+    NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation, ProximalNewton, compliance,
 };
-use super::fewer_contacts;
+use super::{fewer_contacts, smoothing};
 use crate::certificate::Judge;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
 use crate::tolerance::newton::{NEAR, NEAR_PROXIMAL, STEPS_AFTER_INTERIOR, STEPS_IN_AUTO};
@@ -38,7 +37,7 @@ pub(super) const QUICK: &[(Takes, Stage)] = &[
 /// Those that follow where the answer is not good enough yet for the certificate, [`ACCEPTABLE`].
 pub(super) const THOROUGH: &[(Takes, Stage)] = &[
     (is_iterated, |problem, _, stop| ProximalNewton { steps: STEPS_IN_AUTO, tolerance: stop, ..Default::default() }.solve(problem, None)),
-    (is_smoothed, through_smoothing),
+    (is_smoothed, |problem, _, stop| smoothing::solve(problem, stop)),
     (has_blocks, |problem, _, stop| newton(problem, None, stop)),
     (is_pivoted_soon, |problem, _, _| LemkePivoting.solve(problem, None)),
     (is_swept, more_sweeps),
@@ -237,13 +236,6 @@ fn through_interior_and_points(problem: &ContactProblem, stop: f64) -> Result<So
     }
     let ended = NonsmoothNewton { starts: 1, tolerance: stop, ..Default::default() }.solve(problem, Some(&points.impulse))?;
     Ok(Solution { iterations: iterations + ended.iterations, ..ended })
-}
-
-/// Fischer and Burmeister's equations, whose path passes by many patterns that others get caught in, and Newton for the last digits.
-pub(super) fn through_smoothing(problem: &ContactProblem, _: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
-    let begun = FischerBurmeister { tolerance: stop, ..Default::default() }.solve(problem, None)?;
-    let ended = newton(problem, Some(&begun.impulse), stop)?;
-    Ok(Solution { iterations: begun.iterations + ended.iterations, ..ended })
 }
 
 /// Plain sweeps, which go on where accelerated ones jump between contacts that open and slide, and proximal points from there.
