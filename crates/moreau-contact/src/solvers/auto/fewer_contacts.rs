@@ -35,14 +35,15 @@ pub(super) fn solve(problem: &ContactProblem, start: Option<&DVector<f64>>, stop
         let (alone, known) = (of(problem, &members)?, island_rows(&from, &members, problem.rows_per_contact()));
         let few_are_left_out = nearest.len() - members.len() <= tolerance::LEFT_OUT_OF_SMOOTHED;
         for is_smoothed in [false, true].into_iter().take(1 + usize::from(few_are_left_out)) {
-            let part = if is_smoothed { smoothing::solve(&alone, stop) } else { newton.solve(&alone, Some(&known)) };
-            let Ok(part) = part else { continue };
+            let part = || if is_smoothed { smoothing::solve(&alone, stop) } else { newton.solve(&alone, Some(&known)) };
+            let Ok(part) = watch::unnoted(part) else { continue };
             iterations += part.iterations;
             let impulse = spread(problem, &members, &part.impulse);
             let velocity = problem.velocity(&impulse);
             let solution = Solution::new(part.solver, impulse, velocity, 0);
             let relative = judge.judge_prepared(problem, &solution)?.relative();
-            if best.as_ref().is_none_or(|(least, _)| relative < *least) {
+            if !relative.is_nan() && best.as_ref().is_none_or(|(least, _)| relative < *least) {
+                watch::note(relative);
                 best = Some((relative, solution));
             }
             if relative <= stop || watch::is_over() {
@@ -124,6 +125,15 @@ mod tests {
                 assert!(residuals(&problem, &solution).unwrap().is_solution(ENOUGH), "{law:?} {sideways} {turning}");
             }
         }
+    }
+
+    #[test]
+    fn what_is_seen_of_it_are_residuals_of_the_whole_that_fall() {
+        let problem = four_corners(Law::Coulomb, 0.5, 1.0);
+        let (answer, seen) = watch::watched(&watch::Interrupt::default(), || solve(&problem, None, 0.0).unwrap());
+        assert!(seen.history.is_sorted_by(|one, next| next < one) && seen.history.len() < 15, "{:?}", seen.history);
+        let whole = residuals(&problem, &Solution { iterations: 0, ..answer }).unwrap().judged.relative();
+        assert_eq!(seen.history.last(), Some(&whole));
     }
 
     /// On the two corners of one edge the cube tips, and the other two close.

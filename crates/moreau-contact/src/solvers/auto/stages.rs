@@ -2,6 +2,7 @@
 
 #[cfg(feature = "clarabel")]
 use super::super::ClarabelPolished;
+use super::super::watch;
 use super::super::{
     AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, Enumeration, GaussNewton, InteriorPoint, LemkePivoting, NewtonMin,
     NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation, ProximalNewton, compliance,
@@ -209,7 +210,7 @@ fn through_softness(problem: &ContactProblem, _: Option<&DVector<f64>>, stop: f6
         let diagonal = DVector::from_fn(problem.rows(), |row, _| compliance(problem, row) + added(row));
         softer = softer.into_builder().compliance(Compliance { coordinates: Coordinates::Contact, diagonal }).build()?;
         let solver = NonsmoothNewton { steps: tolerance::SOFT_STEPS, tolerance: ENOUGH, ..Default::default() };
-        let solution = solver.solve(&softer, impulse.as_ref())?;
+        let solution = watch::unnoted(|| solver.solve(&softer, impulse.as_ref()))?;
         iterations += solution.iterations;
         impulse = Some(solution.impulse);
     }
