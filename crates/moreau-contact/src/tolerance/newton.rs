@@ -78,7 +78,8 @@ pub const NEAR_PROXIMAL: f64 = 1.0 / 1024.0;
 /// Set.
 pub const NEAR: f64 = 1.0 / 1_048_576.0;
 
-/// Most steps around those points within `auto`: pushed walls of 1 060 contacts took 20 to 33, of 3 044 some 300 and 430, of 10 084 some 900.
+/// Most steps around those points within `auto`: pushed walls of 1 060 contacts took 20 to 33, of 3 044 some 300 and 430, and of 10 084
+/// some 900.
 /// Set.
 pub const STEPS_AFTER_INTERIOR: usize = 1000;
 
