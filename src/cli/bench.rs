@@ -130,7 +130,7 @@ fn timed(files: &[PathBuf], solvers: &[Box<dyn ContactSolver>], arguments: &Argu
         }
         // where nobody found a solution there may be none: then that is the right answer
         let own = &mut runs[first..];
-        if !own.iter().any(|run| run.solved) && posed::has_none(&problem) {
+        if !own.iter().any(|run| run.solved) && posed::refuted(&problem).is_some() {
             own.iter_mut().for_each(|run| run.without_solution = true);
         }
     }

@@ -7,14 +7,14 @@ use super::remarks::remark;
 use super::residual_names::RESIDUALS;
 use super::{Answer, Format, posed, progress};
 use crate::certificate::backward::backward;
-use crate::certificate::forward::{Forward, forward};
+use crate::certificate::forward::Forward;
 use crate::certificate::impulse_set::impulse_set;
 use crate::certificate::jointed_proof::{NearJointed, backward_jointed, forward_jointed};
 use crate::certificate::lcp_proof::{Count, count_with, lcp_of, prove};
 use crate::certificate::polyhedral_proof::prove_polyhedral;
 use crate::certificate::residuals;
 use crate::problem::{ContactProblem, JointedProblem, Law, Lcp, Posed, Solution};
-use crate::problems::from_several_starts;
+use crate::problems::{from_several_starts, near};
 use crate::report::certificate::Certificate;
 use crate::report::json::pretty;
 use crate::report::lcp_proof::{Counted, LcpProved};
@@ -115,7 +115,7 @@ fn judged(arguments: &Arguments, posed: &Posed) -> Result<(String, bool)> {
             Err(Error::Unsupported(reason)) => certificate.without_proof(reason),
             Err(error) => return Err(error.in_file(file)),
         };
-        let near = forward(problem, &solution).map_err(|error| error.in_file(file))?;
+        let near = near(problem, &solution).map_err(|error| error.in_file(file))?;
         let impulses = match &near {
             Forward::Proved(radius) => impulse_set(problem, &solution, radius),
             Forward::NotProved(_) => None,

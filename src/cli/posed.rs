@@ -2,11 +2,10 @@
 
 use crate::certificate::joints::{JointedResiduals, jointed_residuals};
 use crate::certificate::natural_map::of_unit_mass;
-use crate::certificate::patterns::solutions;
 use crate::certificate::residuals;
 use crate::problem::{ContactProblem, Posed, Solution};
 use crate::report::certificate::Certificate;
-use crate::report::proofs::{no_solution, no_solution_jointed};
+use crate::report::proofs::{no_solution, no_solution_jointed, none_of_the_patterns};
 use crate::solvers::{self, ContactSolver, WithoutJoints, solve_jointed};
 use crate::tolerance::proof::LOADED;
 use crate::{Error, Result, memory};
@@ -110,19 +109,11 @@ pub fn is_doubtful(residuals: &JointedResiduals) -> bool {
     residuals.contacts.judged.loaded > LOADED
 }
 
-/// That there is no solution, where that is proved.
+/// That there is no solution, where that is proved: by a witness, or by all patterns of few contacts.
 pub fn refuted(posed: &Posed) -> Option<String> {
     match posed {
-        Posed::Contacts(problem) => no_solution(problem),
+        Posed::Contacts(problem) => no_solution(problem).or_else(|| none_of_the_patterns(problem)),
         Posed::Jointed(problem) => no_solution_jointed(problem),
     }
 }
 
-/// Whether it is proved that there is no solution, by a witness or by all patterns of few contacts.
-pub fn has_none(posed: &Posed) -> bool {
-    let by_patterns = |problem: &ContactProblem| solutions(problem).is_ok_and(|all| all.found.is_empty() && all.continuum.is_none());
-    match posed {
-        Posed::Contacts(problem) => refuted(posed).is_some() || by_patterns(problem),
-        Posed::Jointed(_) => refuted(posed).is_some(),
-    }
-}

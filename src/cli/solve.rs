@@ -99,7 +99,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         Ok(solution) => solution,
         Err(error) => {
             // what is refused as it stands has its own message
-            let proof = NoAnswer::of(&error).and_then(|_| posed::refuted(&problem));
+            let proof = NoAnswer::of(&error).filter(|_| !seen.interrupted).and_then(|_| posed::refuted(&problem));
             if arguments.common.format == Format::Json {
                 return no_answer(error, proof, arguments.out.is_none());
             }

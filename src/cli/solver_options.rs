@@ -17,7 +17,7 @@ pub struct ToleranceOption {
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: Option<f64>,
     /// End a solve after this time with the best answer so far, which the next run need not find again: it is marked as not reproducible.
-    /// Iterations look between their steps; pivoting methods do not.
+    /// Iterations look between their steps, eliminations between their fronts, pivoting methods between their pivots.
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
     time_limit: Option<f64>,
 }

@@ -127,6 +127,9 @@ struct Bounds {
     impulses: Vec<f64>,
     /// Rows that depend exactly on others.
     dependent_rows: Vec<usize>,
+    /// |v* − v| at most, of every generalised velocity \[m/s, rad/s\], where mass and Jacobian are known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bodies: Option<Vec<f64>>,
 }
 
 /// How the solver of an answer ended.
@@ -377,6 +380,7 @@ impl Bounds {
             velocities: radius.velocity.clone(),
             impulses: radius.impulse.clone(),
             dependent_rows: radius.dependent.clone(),
+            bodies: radius.bodies.clone(),
         }
     }
 }
@@ -392,6 +396,10 @@ impl Near {
         let mut lines =
             vec![format!("proved by intervals: the problem has a solution whose velocity differs by at most {velocity} at a {place}{at},")];
         lines.push(format!("  and its impulse by at most {impulse}"));
+        if let Some(bodies) = &bounds.bodies {
+            let most = above(bodies.iter().copied().fold(0.0, f64::max));
+            lines.push(format!("  and no velocity of a body by more than {most} (m/s, rad/s)"));
+        }
         if !bounds.dependent_rows.is_empty() {
             let rows = match bounds.dependent_rows.len() {
                 1 => "1 row depends".into(),
@@ -446,6 +454,7 @@ mod tests {
                 velocities: vec![],
                 impulses: vec![],
                 dependent_rows: vec![0; dependent],
+                bodies: None,
             };
             let impulse_set = Some(Dimension { at_least: dimensions, at_most: dimensions });
             Near { proved: true, reason: None, contact: None, radius: Some(radius), impulse_set }

@@ -175,6 +175,17 @@ pub fn no_solution(problem: &ContactProblem) -> Option<String> {
     Some(in_a_line(&found, if found.of_mechanism { MECHANISM } else { of_which(problem) }))
 }
 
+/// That all patterns of few contacts were tried and none is a solution, in a line; nothing where one is, or there are too many.
+pub fn none_of_the_patterns(problem: &ContactProblem) -> Option<String> {
+    let in_plane = |all: Solutions| (all.found.is_empty() && all.continuum.is_none()).then_some(all.patterns);
+    let in_space = |all: Velocities| (all.exactly() == Some(0)).then_some(all.patterns);
+    let patterns = match solutions(problem) {
+        Ok(all) => in_plane(all),
+        Err(_) => velocities(problem).ok().and_then(in_space),
+    }?;
+    Some(format!("proved in fractions: the problem has no solution; all {patterns} patterns of what its contacts may do were tried\n"))
+}
+
 /// The same of a problem with joints: they contradict the rest by more than rounding.
 pub fn no_solution_jointed(problem: &JointedProblem) -> Option<String> {
     let found = infeasible_jointed(problem).ok().flatten().filter(|found| found.relative > AGREES)?;

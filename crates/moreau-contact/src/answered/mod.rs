@@ -5,9 +5,11 @@
 //! ```
 
 mod measure;
+mod near;
 mod record;
 mod starts;
 
 pub use measure::{Found, Measured, measure, measure_told};
+pub use near::near;
 pub use record::{Answered, Bound, Difficulty, Ended, Known, OtherAnswer, Outcome, RECORD_SCHEMA, Record, Uniqueness};
 pub use starts::from_several_starts;

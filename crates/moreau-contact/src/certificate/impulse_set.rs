@@ -187,7 +187,7 @@ mod tests {
         // what is not seen to be inside of the law gives no bound from below: here an impulse is known to within one
         let answer = Solution::new("", dvector![0.25, 0.75], dvector![0.0, 0.0], 0);
         let states = vec![ContactState::Pressing; 2];
-        let mut radius = Radius { velocity: vec![0.0; 2], impulse: vec![1.0; 2], states, dependent: Vec::new() };
+        let mut radius = Radius { velocity: vec![0.0; 2], impulse: vec![1.0; 2], states, dependent: Vec::new(), bodies: None };
         assert_eq!(impulse_set(&pressed, &answer, &radius), Some(ImpulseSet { at_least: 0, at_most: 1 }));
         // and a last digit of W leaves no other impulse: the rank is not that of rounded numbers
         radius.impulse = vec![0.0; 2];

@@ -111,6 +111,8 @@ fn by_constraint(problem: &JointedProblem, rows: &ByRows, radius: &Radius) -> Ra
         impulse: all.clone().map(|k| size(&radius.impulse, k)).collect(),
         states: all.map(|k| rows.parts(k).next().map_or(ContactState::Joined, |i| radius.states[i])).collect(),
         dependent: radius.dependent.iter().filter_map(|row| rows.row(*row)).collect(),
+        // behind them are the velocities of rows that were added
+        bodies: problem.dynamics().zip(radius.bodies.as_ref()).map(|(own, all)| all[..own.mass.nrows()].to_vec()),
     }
 }
 

@@ -160,6 +160,27 @@ impl Inertia {
             Mass::Dense(_) => false,
         }
     }
+
+    /// M̂ of the bodies that follow each other with so many velocities each; none where they do not, or a mass is infinite.
+    pub(crate) fn bodies(&self, width: usize) -> Option<Vec<DMatrix<f64>>> {
+        let mut bodies = vec![DMatrix::zeros(width, width); self.size() / width.max(1)];
+        match &self.mass {
+            mass if !(mass.is_finite() && self.is_made_of(width) && self.size().is_multiple_of(width)) => return None,
+            Mass::Diagonal(diagonal) => {
+                diagonal.iter().enumerate().for_each(|(v, mass)| bodies[v / width][(v % width, v % width)] = *mass);
+            }
+            Mass::Blocks(blocks) => {
+                let mut first = 0;
+                for block in blocks.iter().filter(|block| block.nrows() > 0) {
+                    let place = (first % width, first % width);
+                    bodies[first / width].view_mut(place, block.shape()).copy_from(block);
+                    first += block.nrows();
+                }
+            }
+            Mass::Dense(_) => return None,
+        }
+        Some(bodies)
+    }
 }
 
 impl MassFactor<f64> {
@@ -229,6 +250,16 @@ mod tests {
             assert!(Inertia::of(Mass::Blocks(vec![dmatrix![1.0], dmatrix![bad]])).is_err());
         }
         assert!(Inertia::of(Mass::Blocks(vec![dmatrix![1.0], dmatrix![f64::INFINITY]])).is_err());
+    }
+
+    #[test]
+    fn bodies_that_follow_each_other_have_their_own_blocks() {
+        let blocks = Inertia::of(Mass::Blocks(vec![dmatrix![1.0], dmatrix![2.0, 0.5; 0.5, 3.0], dmatrix![], dmatrix![4.0, 0.0; 0.0, 5.0], dmatrix![6.0]]));
+        let three = blocks.expect("definite").bodies(3).expect("a block is within a body");
+        assert_eq!(three, [dmatrix![1.0, 0.0, 0.0; 0.0, 2.0, 0.5; 0.0, 0.5, 3.0], dmatrix![4.0, 0.0, 0.0; 0.0, 5.0, 0.0; 0.0, 0.0, 6.0]]);
+        let diagonal = |second: f64| Inertia::of(Mass::Diagonal(dvector![1.0, second])).expect("positive");
+        assert_eq!(diagonal(2.0).bodies(1).expect("two bodies"), [dmatrix![1.0], dmatrix![2.0]]);
+        assert!(diagonal(f64::INFINITY).bodies(1).is_none() && Inertia::new(dmatrix![1.0]).expect("positive").bodies(1).is_none());
     }
 
     #[test]

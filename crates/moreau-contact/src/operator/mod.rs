@@ -22,6 +22,7 @@ mod sparse;
 mod sparse_dynamics;
 mod velocity_factor;
 mod velocity_recovery;
+mod written_out;
 
 pub use block_rows::BlockRows;
 pub use blocks::BlockSparse;

@@ -5,11 +5,12 @@
 //! ```
 //! It costs as much as there are pairs of contacts that meet.
 
-use super::{BlockSparse, Lists, Operator};
+use super::{BlockRows, BlockSparse, Lists, MatrixFree, Operator};
 use crate::contact::delassus::delassus_factored;
 use crate::contact::{Inertia, Jacobian, Rows};
 use crate::memory;
 use crate::memory::spare::{self, Lent, spare_entries};
+use crate::tolerance::problem::STORED_CONTACTS;
 use moreau_exact::{Error, Result};
 
 /// What one contact has at one body: H_bᵀ from the left, and the same over the pivots of the body's mass, velocities × rows.
@@ -28,8 +29,8 @@ pub(super) const LARGEST: usize = 18;
 /// Rows and velocities of contacts between free bodies in space, which nearly all are.
 const SPATIAL: [usize; 2] = [3, 6];
 
-/// W = H M⁻¹ Hᵀ \[1/kg\]: by blocks where the mass consists of bodies and most contacts do not meet, densely otherwise. Its entries are
-/// the same bit for bit.
+/// W = H M⁻¹ Hᵀ \[1/kg\]: by blocks where the mass consists of bodies and most contacts do not meet, densely otherwise, with the same
+/// entries bit for bit; where many contacts of bodies all meet, as those of one plate, it is not formed and acts through the bodies.
 ///
 /// # Errors
 /// [`Error::Invalid`] if H does not fit the mass, is not finite, or needs more memory than is allowed.
@@ -41,6 +42,11 @@ pub fn of_mechanism(inertia: &Inertia, jacobian: &Jacobian) -> Result<Operator> 
     let n = jacobian.contacts().len();
     if let Some(width) = body_width(jacobian).filter(|width| inertia.is_made_of(*width)) {
         let meeting = Meeting::new(jacobian, width);
+        if n > STORED_CONTACTS && 2 * meeting.pairs() >= n * n {
+            if let Some(free) = through_bodies(inertia, jacobian, width)? {
+                return Ok(free.into());
+            }
+        }
         let blocks = blocks(inertia, jacobian, width, &meeting)?;
         return Ok(if 2 * meeting.pairs() < n * n { blocks.into() } else { blocks.to_dense().into() });
     }
@@ -48,6 +54,18 @@ pub fn of_mechanism(inertia: &Inertia, jacobian: &Jacobian) -> Result<Operator> 
         .saturating_add(memory::matrix(jacobian.nrows(), jacobian.ncols()).saturating_mul(2));
     memory::require("the Delassus operator of this step", room)?;
     delassus_factored(inertia.factor(), &jacobian.to_dense()).map(Operator::from)
+}
+
+/// W by the bodies that contacts touch; none where a mass is infinite.
+fn through_bodies(inertia: &Inertia, jacobian: &Jacobian, width: usize) -> Result<Option<MatrixFree>> {
+    let Some(masses) = inertia.bodies(width) else { return Ok(None) };
+    let mut rows = BlockRows::new(jacobian.rows_per_contact(), std::iter::repeat_n(width, masses.len()))?;
+    rows.reserve(jacobian.contacts().len())?;
+    for contact in jacobian.contacts() {
+        let parts: Vec<(usize, &[f64])> = contact.parts().map(|part| (part.first / width, part.entries)).collect();
+        rows.push(&parts)?;
+    }
+    MatrixFree::new(&masses, rows).map(Some)
 }
 
 /// The number of velocities of every body, if each part belongs to one of equal bodies that follow each other.
@@ -266,6 +284,29 @@ mod tests {
         let inertia = Inertia::of(Mass::Diagonal(DVector::from_fn(24, |i, _| 1.0 + i as f64 / 7.0))).expect("definite");
         let found = of_mechanism(&inertia, &few).expect("it fits");
         assert!(found.is_dense() && found.dense() == &delassus_factored(inertia.factor(), &few.to_dense()).expect("it fits"));
+    }
+
+    #[test]
+    fn many_contacts_of_one_plate_act_through_it_and_as_the_dense_operator_does() {
+        let entry = |seed: usize| ((seed * 7919 + 13) % 101) as f64 / 37.0 - 1.0;
+        let block = |seed: usize| -> [[f64; 6]; 3] { std::array::from_fn(|i| std::array::from_fn(|v| entry(seed + 6 * i + v))) };
+        let plate = |contacts: usize| {
+            let contact = |k: usize| Rows::zeros(3, 6 * (contacts + 1)).with(0, block(5 * k)).with(6 * k + 6, block(11 * k + 3));
+            Jacobian::new(3, 6 * (contacts + 1), (0..contacts).map(contact).collect())
+        };
+        let inertia = |contacts: usize, last: f64| {
+            let mass = |v: usize| if v + 1 == 6 * (contacts + 1) { last } else { 0.3 + (v % 7) as f64 };
+            Inertia::of(Mass::Diagonal(DVector::from_fn(6 * (contacts + 1), |v, _| mass(v)))).expect("positive")
+        };
+        let n = STORED_CONTACTS + 1;
+        let (found, same) = (of_mechanism(&inertia(n, 1.0), &plate(n)).expect("it fits"), inertia(n, 1.0));
+        assert!(found.matrix_free().is_some());
+        let impulse = DVector::from_fn(3 * n, |i, _| entry(i));
+        let dense = delassus_factored(same.factor(), &plate(n).to_dense()).expect("it fits");
+        let size = (dense.abs() * impulse.abs()).amax();
+        assert!((found.apply(&impulse) - &dense * &impulse).amax() <= moreau_exact::tolerance::rounding(3 * n, size));
+        assert!(of_mechanism(&inertia(n - 1, 1.0), &plate(n - 1)).expect("it fits").is_dense(), "as many as are stored");
+        assert!(of_mechanism(&inertia(n, f64::INFINITY), &plate(n)).expect("it fits").is_dense(), "a velocity is prescribed");
     }
 
     #[test]

@@ -19,6 +19,13 @@ impl Sparse {
         Sparse { shape: [dense.nrows(), dense.ncols()], entries }
     }
 
+    /// The matrix with all its zeros.
+    pub(crate) fn to_dense(&self) -> DMatrix<f64> {
+        let mut dense = DMatrix::zeros(self.shape[0], self.shape[1]);
+        self.entries.iter().for_each(|(i, j, value)| dense[(*i, *j)] = *value);
+        dense
+    }
+
     /// Rows and columns exchanged.
     pub fn transposed(self) -> Self {
         let entries = self.entries.into_iter().map(|(i, j, value)| (j, i, value)).collect();

@@ -139,6 +139,41 @@ impl SparseDynamics {
         MatrixFree::new(&self.masses, rows)
     }
 
+    /// Number of entries of M̂ and H, zeros included.
+    pub(crate) fn entries(&self) -> u128 {
+        (self.size as u128).saturating_mul((self.size + self.rows_per_contact * self.jacobian.len()) as u128)
+    }
+
+    /// M̂ and H, entry by entry, without zeros; by rows that grow.
+    pub(crate) fn triplets(&self) -> [Sparse; 2] {
+        let mut mass = Sparse { shape: [self.size; 2], entries: Vec::new() };
+        for (rows, block) in self.velocities.iter().zip(&self.masses) {
+            mass.entries.extend(Sparse::of(block).entries.into_iter().map(|(i, j, value)| (rows[i], rows[j], value)));
+        }
+        let d = self.rows_per_contact;
+        let mut jacobian = Sparse { shape: [d * self.jacobian.len(), self.size], entries: Vec::new() };
+        for (k, touched) in self.jacobian.iter().enumerate() {
+            for (group, block) in touched {
+                let own = Sparse::of(block).entries.into_iter();
+                jacobian.entries.extend(own.map(|(i, j, value)| (k * d + i, self.velocities[*group][j], value)));
+            }
+        }
+        for of in [&mut mass, &mut jacobian] {
+            of.entries.sort_unstable_by_key(|(row, column, _)| (*row, *column));
+        }
+        [mass, jacobian]
+    }
+
+    /// Appends the columns of H that the rows of a contact touch, growing.
+    pub(crate) fn push_touched(&self, contact: usize, columns: &mut Vec<usize>) {
+        let first = columns.len();
+        for (group, block) in &self.jacobian[contact] {
+            let own = self.velocities[*group].iter().zip(block.column_iter());
+            columns.extend(own.filter(|(_, rows)| rows.iter().any(|entry| *entry != 0.0)).map(|(column, _)| *column));
+        }
+        columns[first..].sort_unstable();
+    }
+
     /// The halves of every contact, as many as it touches groups.
     fn halves(&self) -> Vec<Vec<Halves>> {
         self.jacobian.iter().map(|touched| touched.iter().map(|(group, block)| self.factors[*group].halves(block)).collect()).collect()
@@ -202,6 +237,13 @@ fn groups(mass: &Sparse, size: usize) -> Vec<usize> {
     (0..size).map(|row| root(&mut first, row)).collect()
 }
 
+impl PartialEq for SparseDynamics {
+    /// Whether both are the same mass and Jacobian.
+    fn eq(&self, other: &Self) -> bool {
+        (self.size, &self.velocities, &self.masses, &self.jacobian) == (other.size, &other.velocities, &other.masses, &other.jacobian)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -227,6 +269,17 @@ mod tests {
         let impulse = dvector![1.0, -2.0, 0.5];
         assert!((&mass * mechanism.solve(&impulse) - &impulse).amax() <= rounding * mass.amax() * 4.0);
         assert_eq!(mechanism.contact_velocity(&impulse), &jacobian * impulse);
+    }
+
+    #[test]
+    fn its_matrices_entry_by_entry_are_those_it_was_made_of() {
+        let [mass, jacobian] = [dmatrix![2.0, 0.0, 0.5; 0.0, 3.0, 0.0; 0.5, 0.0, 1.0], dmatrix![0.0, -1.0, 4.0; 0.25, 0.0, 2.0]];
+        let mechanism = SparseDynamics::new(&sparse(&mass), &sparse(&jacobian), 2).unwrap();
+        assert_eq!(mechanism.triplets().map(|triplets| triplets.to_dense()), [mass, jacobian]);
+        assert_eq!(mechanism.entries(), 3 * (3 + 2));
+        let mut columns = vec![7];
+        mechanism.push_touched(0, &mut columns);
+        assert_eq!(columns, [7, 0, 1, 2]);
     }
 
     #[test]

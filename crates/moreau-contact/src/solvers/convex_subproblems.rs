@@ -7,9 +7,9 @@
 //! with A = W + R, q = u_free + shift. Each subproblem has the associated law and is solved from the last impulses, by Newton's method or,
 //! where that does not end, by interior points and Newton's method from there. A fixed point is a solution of Coulomb's problem.
 //!
-//! **Safeguards.** θ = 1 is de Saxcé's iteration, a contraction for small friction only. While ‖F(s) − s‖ grows θ is halved, and doubled
-//! again, to at most 1, while it falls. Where s cycles for every θ the iteration ends with the best iterate by the certificate's residual;
-//! no fixed point is promised, and none need exist.
+//! **Safeguards.** θ = 1 is de Saxcé's iteration, a contraction for small friction only. Where F(s) − s grows, or turns round and hardly
+//! falls, θ is halved; else it is doubled again, to at most 1. Where s cycles for every θ the iteration ends with the best iterate by the
+//! certificate's residual; no fixed point is promised, and none need exist.
 //!
 //! # Source
 //! De Saxcé and Feng, *The bipotential method* (1998); Acary, Cadoux, Lemaréchal and Malick, *A formulation of the linear discrete Coulomb
@@ -73,7 +73,8 @@ impl ContactSolver for ConvexSubproblems {
             lift = lift_of(problem, &problem.law_velocity(&impulse));
         }
         let mut convex = problem.clone();
-        let (mut best, mut theta, mut before, mut done) = ((f64::INFINITY, impulse.clone()), 1.0_f64, f64::INFINITY, 0);
+        let (mut best, mut theta, mut done) = ((f64::INFINITY, impulse.clone()), 1.0_f64, 0);
+        let mut before: Option<DVector<f64>> = None;
         loop {
             let velocity = problem.law_velocity(&impulse);
             let relative = stopping.relative(&impulse, &velocity);
@@ -85,10 +86,10 @@ impl ContactSolver for ConvexSubproblems {
             }
             if done > 0 {
                 let change = lift_of(problem, &velocity) - &lift;
-                let size = change.norm();
-                theta = if size < before { (2.0 * theta).min(1.0) } else { (0.5 * theta).max(first_order::LEAST_SHARE) };
-                before = size;
-                lift += change * theta;
+                let is_shorter = before.as_ref().is_some_and(|before| is_too_long(before, &change));
+                theta = if is_shorter { (0.5 * theta).max(first_order::LEAST_SHARE) } else { (2.0 * theta).min(1.0) };
+                lift += &change * theta;
+                before = Some(change);
             }
             (convex, impulse) = super::watch::unnoted(|| subproblem(problem, convex, &lift, &impulse))?;
             done += 1;
@@ -96,6 +97,12 @@ impl ContactSolver for ConvexSubproblems {
         let velocity = problem.velocity(&best.1);
         super::finite(Solution::new(NAME, best.1, velocity, done))
     }
+}
+
+/// Whether a step was too long: the next F(s) − s is larger, or swings to the other side and is hardly smaller.
+fn is_too_long(before: &DVector<f64>, change: &DVector<f64>) -> bool {
+    let (was, is) = (before.norm(), change.norm());
+    is >= was || before.dot(change) < 0.0 && is > first_order::SWINGS * was
 }
 
 /// μ‖y_t‖ of every contact \[m/s\].
@@ -156,6 +163,17 @@ mod tests {
         let problem = block(1.2).into_builder().delassus(w).free_velocity(DVector::from_vec(vec![-0.2, 1.0])).build().unwrap();
         let answer = ConvexSubproblems::default().solve(&problem, None).unwrap();
         assert!(residuals(&problem, &answer).unwrap().is_solution(tolerance::ENOUGH));
+    }
+
+    #[test]
+    fn a_swing_that_falls_by_a_last_bit_only_is_a_swing() {
+        // W = H Hᵀ of one row twice: F turns s round by as much, and rounding decides whether a swing is smaller than the one before
+        let w = DMatrix::from_row_slice(2, 2, &[0.36, -0.48, -0.48, 0.64]);
+        let problem = block(0.5).into_builder().delassus(w).free_velocity(DVector::from_vec(vec![-1.16, 1.0])).build().unwrap();
+        let answer = ConvexSubproblems::default().solve(&problem, None).unwrap();
+        assert!(residuals(&problem, &answer).unwrap().is_solution(tolerance::ENOUGH), "{}", answer.iterations);
+        assert!(is_too_long(&DVector::from_element(1, 1.0), &DVector::from_element(1, -1.0 + f64::EPSILON)));
+        assert!(!is_too_long(&DVector::from_element(1, 1.0), &DVector::from_element(1, 1.0 - f64::EPSILON)));
     }
 
     #[test]

@@ -7,6 +7,7 @@
 //! Panels of columns are eliminated one after the other, and the rest of the front is updated by a matrix product. Rows are exchanged for
 //! the largest pivot among the pivot rows only: what lies below belongs to other fronts.
 
+use super::watch;
 use crate::tolerance::fronts::{PANEL, SMALL_PRODUCT, STRIP};
 use nalgebra::{DMatrixView, DMatrixViewMut};
 
@@ -40,10 +41,14 @@ fn subtract(c: &mut [f64], [m, n, k]: [usize; 3], size: usize, a: &[f64], b: &[f
     }
 }
 
-/// L of the first `pivots` columns of a symmetric front of which the lower triangle is given; false where a pivot is not positive.
+/// L of the first `pivots` columns of a symmetric front of which the lower triangle is given; false where a pivot is not positive, or whoever
+/// watches the solver ended it.
 pub(super) fn cholesky(front: &mut [f64], size: usize, pivots: usize) -> bool {
     let mut first = 0;
     while first < pivots {
+        if watch::is_over() {
+            return false;
+        }
         let end = (first + PANEL).min(pivots);
         for j in first..end {
             let (left, right) = front.split_at_mut((j + 1) * size);
@@ -70,10 +75,13 @@ pub(super) fn cholesky(front: &mut [f64], size: usize, pivots: usize) -> bool {
 }
 
 /// L (unit diagonal) and U of the first `pivots` columns; `exchanged[j]` is the row that took the place of row j. False where no pivot is
-/// left that is a number other than zero.
+/// left that is a number other than zero, or whoever watches the solver ended it.
 pub(super) fn lu(front: &mut [f64], size: usize, pivots: usize, exchanged: &mut [usize], copied: &mut Vec<f64>) -> bool {
     let mut first = 0;
     while first < pivots {
+        if watch::is_over() {
+            return false;
+        }
         let end = (first + PANEL).min(pivots);
         for j in first..end {
             let entry = |i: usize| front[j * size + i].abs();
@@ -157,6 +165,17 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn a_front_is_left_where_the_solver_was_ended() {
+        let interrupt = watch::Interrupt::default();
+        let (mut exchanged, mut copied) = (vec![0; 2], Vec::new());
+        let mut both = || (cholesky(&mut [2.0, 1.0, 1.0, 2.0], 2, 2), lu(&mut [2.0, 1.0, 1.0, 2.0], 2, 2, &mut exchanged, &mut copied));
+        assert_eq!(watch::watched(&interrupt, &mut both).0, (true, true));
+        interrupt.now();
+        let (ended, seen) = watch::watched(&interrupt, &mut both);
+        assert!(ended == (false, false) && seen.interrupted);
     }
 
     #[test]

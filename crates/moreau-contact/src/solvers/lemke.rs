@@ -51,6 +51,9 @@ fn follow<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>) -> Result<LemkeOutcome
     let mut column = tableau.column(entering);
     let mut row = tableau.first_row(covering);
     for pivots in 1..=lemke_pivot_limit::<T>(size) {
+        if super::watch::is_over() {
+            return Err(Error::limit("lemke", format!("was ended after {} pivots", pivots - 1)));
+        }
         let leaving = tableau.pivot(row, entering, &column)?;
         let right_side = tableau.right_side();
         if tableau.artificial_is_zero(&right_side) {

@@ -49,6 +49,7 @@ mod colours;
 mod contact_systems;
 mod convex_subproblems;
 mod elimination;
+mod elimination_memory;
 mod elimination_tree;
 pub mod enumeration;
 mod few;

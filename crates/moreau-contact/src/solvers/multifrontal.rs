@@ -10,7 +10,9 @@
 //! Duff and Reid, *The multifrontal solution of indefinite sparse symmetric linear equations*, ACM Trans. Math. Softw. 9 (1983).
 
 use super::elimination_tree::{Node, Tree};
-use super::front;
+use super::{front, watch};
+use crate::memory;
+use crate::tolerance::fronts::KEPT;
 
 /// A front that is being assembled.
 pub(super) struct Front<'a> {
@@ -44,7 +46,8 @@ pub(super) struct Work {
 }
 
 impl Factor {
-    /// Factors what `assemble` puts into the front of every node; of a symmetric J the lower triangle. False where a pivot is missing.
+    /// Factors what `assemble` puts into the front of every node; of a symmetric J the lower triangle. False where a pivot is missing, the
+    /// fronts take more memory than is allowed, or whoever watches the solver ended it.
     pub(super) fn compute(
         &mut self,
         tree: &Tree,
@@ -52,6 +55,12 @@ impl Factor {
         work: &mut Work,
         mut assemble: impl FnMut(usize, &mut Front),
     ) -> bool {
+        let need = tree.need();
+        let is_allowed = memory::require("eliminating by fronts", need.bytes(is_symmetric)).is_ok();
+        if !is_allowed {
+            return false;
+        }
+        let keeps = need.left <= KEPT;
         self.is_symmetric = is_symmetric;
         self.lower.resize(tree.storage, 0.0);
         self.upper.resize(if is_symmetric { 0 } else { tree.storage }, 0.0);
@@ -67,6 +76,9 @@ impl Factor {
             assemble(id, &mut Front { entries: &mut work.front, size, local: &work.local });
             for &child in tree.children(id) {
                 add_child(&mut work.front, size, tree.rows_in_parent(child), &work.updates[child], is_symmetric);
+                if !keeps {
+                    work.updates[child] = Vec::new();
+                }
             }
             let exchanged = if is_symmetric { &mut [] } else { &mut self.exchanged[exchanges..exchanges + node.pivots] };
             exchanges += node.pivots;
@@ -74,7 +86,7 @@ impl Factor {
                 true => front::cholesky(&mut work.front, size, node.pivots),
                 false => front::lu(&mut work.front, size, node.pivots, exchanged, &mut work.copied),
             };
-            if !is_regular {
+            if !is_regular || watch::is_over() {
                 return false;
             }
             self.store(node, &work.front);

@@ -41,6 +41,9 @@ impl NewtonMin {
     pub fn solve_lcp(&self, lcp: &Lcp<f64>, mut support: Vec<bool>) -> Result<(DVector<f64>, usize)> {
         let (mut fewest, mut left) = (usize::MAX, FULL_STEPS);
         for steps in 0..=self.steps {
+            if super::watch::is_over() {
+                return Err(Error::limit(NAME, format!("was ended after {steps} steps")));
+            }
             let z =
                 on_support(lcp, &support).ok_or_else(|| Error::breakdown(NAME, "met a singular basis: M is no P-matrix; use `lemke`"))?;
             let negative = negative(lcp, &z, &support);

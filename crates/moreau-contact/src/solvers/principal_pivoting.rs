@@ -77,6 +77,9 @@ impl Murty {
     pub fn basis<T: Scalar>(&self, lcp: &Lcp<T>) -> Result<PrincipalOutcome> {
         let mut tableau = PrincipalTableau::new(lcp, &[]);
         for pivots in 0..=self.pivots {
+            if super::watch::is_over() {
+                return Err(Error::limit(MURTY, format!("was ended after {pivots} pivots")));
+            }
             // in every place stand the two variables of its row
             let Some(place) = (0..lcp.size()).find(|&i| tableau.constants[(i, 0)] < -negligible::<T>(lcp.size())) else {
                 return Ok(PrincipalOutcome::Basis(tableau.support(), pivots));
@@ -102,7 +105,7 @@ impl ParametricPivoting {
         for pivots in 0..=self.pivots {
             let Some((s, parameter)) = next(&tableau) else { return Ok(PrincipalOutcome::Basis(tableau.support(), pivots)) };
             if super::watch::is_over() {
-                break;
+                return Err(Error::limit(PARAMETRIC, format!("was ended after {pivots} pivots")));
             }
             let (row, diagonal) = (tableau.basic[s] % size, tableau.matrix[(s, s)].clone());
             let not_of_class = || refused(PARAMETRIC, row, "positive semidefinite, nor a P-matrix");

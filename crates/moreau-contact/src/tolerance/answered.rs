@@ -28,3 +28,12 @@ pub const STARTED_ROWS: usize = 120;
 /// Contacts, from the first one, whose impulse alone is changed for a start.
 /// Set.
 pub const STARTED_CONTACTS: usize = 20;
+
+/// Most rows of a problem for which a proof begins from impulses of least norm and of interior points as well: both factor dense matrices.
+/// Set.
+pub const NEAR_ROWS: usize = 600;
+
+/// Difference of two velocities, relative to the largest velocity, up to which a proof of a solution near an answer begins from impulses
+/// with the other one. It decides whether there is a proof, never what is proved.
+/// Set.
+pub const SAME_VELOCITY: f64 = 1e-6;

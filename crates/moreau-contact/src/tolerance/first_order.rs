@@ -12,3 +12,8 @@ pub const SUBPROBLEMS: usize = 200;
 /// Smallest share θ of a step of de Saxcé's fixed point: 2⁻⁵. With it a map of slope −30 still contracts.
 /// Set.
 pub const LEAST_SHARE: f64 = 1.0 / 32.0;
+
+/// Part of F(s) − s that may be left where it turned round for a step not to be too long: half. With θ(1 + L) between ½ and 3/2 at most
+/// half is left for a map of slope −L, and one halving or doubling comes there from anywhere else.
+/// Derived.
+pub const SWINGS: f64 = 0.5;

@@ -25,3 +25,8 @@ pub const NARROW: (usize, usize) = (3, 24);
 /// elimination for eight contacts.
 /// Set.
 pub const ONE_FRONT: usize = 8;
+
+/// Entries that all children leave to their parents, 2²⁰, up to which they are kept for another matrix; beyond, they are freed as soon as
+/// the parent has them.
+/// Set.
+pub const KEPT: usize = 1 << 20;

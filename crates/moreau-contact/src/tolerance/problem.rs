@@ -13,6 +13,15 @@ pub const POLYHEDRAL_UNKNOWNS: usize = 1 << 13;
 /// Set.
 pub const DENSE_ROWS: usize = 240;
 
+/// Most entries of M̂ and H together, zeros included, up to which a mass and a Jacobian that a file lists are written out as matrices for
+/// who asks for them: 256 MiB of numbers, more than any problem has that is not too large for a proof.
+/// Set.
+pub const WRITTEN_OUT: u128 = 1 << 25;
+
 /// Largest slip at a start, 10¹⁰⁰ m/s: products of three numbers of this size are numbers.
 /// Derived.
 pub const LARGEST: f64 = 1e100;
+
+/// Contacts up to which W of contacts that nearly all meet is stored: what is dense costs less there than what acts through bodies.
+/// Set.
+pub const STORED_CONTACTS: usize = 240;

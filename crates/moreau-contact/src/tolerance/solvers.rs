@@ -423,3 +423,7 @@ pub const LAG: f64 = 1.0 / 32.0;
 /// The shortest step of the interior point method that is progress.
 /// Set.
 pub const LEAST_LENGTH: f64 = 1e-10;
+
+/// Contacts up to which `auto` ends Coulomb's law by convex problems, each of which takes the time of a solve.
+/// Set.
+pub const LIFTED_CONTACTS: usize = 600;

@@ -9,7 +9,7 @@
 use crate::certificate::interval::Interval;
 use crate::problem::{ContactProblem, Dynamics};
 use crate::tolerance::proof::{enlarged, product};
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 /// |H M̂⁻¹ Hᵀ − W| entry by entry, at most; none without M̂ and H, infinite where M̂ is too badly conditioned.
 pub(in crate::certificate) fn uncertainty(problem: &ContactProblem) -> Option<DMatrix<f64>> {
@@ -26,6 +26,26 @@ pub(in crate::certificate) fn uncertainty(problem: &ContactProblem) -> Option<DM
         }
     }
     Some(DMatrix::from_fn(problem.rows(), problem.rows(), |i, j| exact[(i, j)].reach(problem.entry(i, j))))
+}
+
+/// |M̂⁻¹Hᵀ(r* − r)| of every velocity, for all r* of a box; none without M̂ and H, infinite where M̂ is too badly conditioned.
+pub(super) fn moved(problem: &ContactProblem, boxed: &[Interval], impulse: &DVector<f64>) -> Option<Vec<f64>> {
+    let Dynamics { mass, jacobian } = problem.dynamics()?;
+    let apart: Vec<Interval> = boxed.iter().zip(impulse).map(|(one, other)| *one - Interval::point(*other)).collect();
+    let pushed = |v: usize| {
+        let column = jacobian.column(v);
+        let terms = column.iter().zip(&apart).filter(|(entry, _)| **entry != 0.0);
+        terms.fold(Interval::ZERO, |sum, (entry, apart)| sum + Interval::point(*entry) * *apart)
+    };
+    let mut found = vec![0.0; mass.nrows()];
+    for group in groups(mass) {
+        let inverse = enclosed_inverse(&DMatrix::from_fn(group.len(), group.len(), |i, j| mass[(group[i], group[j])]));
+        let pushed: Vec<Interval> = group.iter().map(|v| pushed(*v)).collect();
+        for (i, v) in group.iter().enumerate() {
+            found[*v] = pushed.iter().enumerate().fold(Interval::ZERO, |sum, (j, p)| sum + inverse[(i, j)] * *p).magnitude();
+        }
+    }
+    Some(found)
 }
 
 /// Σ_j H_row,j x_j over a group.
@@ -80,7 +100,6 @@ mod tests {
     use super::*;
     use crate::contact::delassus::delassus;
     use moreau_exact::scalar::{Rational, exact};
-    use nalgebra::DVector;
 
     #[test]
     fn the_exact_operator_is_within_the_bound_and_the_bound_is_rounding() {
@@ -102,6 +121,28 @@ mod tests {
         }
         assert!(bound.amax() <= 1e-14, "{}", bound.amax());
         assert_eq!(groups(&coupled), [vec![0, 1], vec![2, 4], vec![3]]);
+    }
+
+    #[test]
+    fn bodies_move_as_far_as_fractions_say_and_not_at_all_where_impulses_hold_each_other() {
+        let mass = DMatrix::from_row_slice(2, 2, &[2.0, 0.5, 0.5, 1.0]);
+        let jacobian = DMatrix::from_row_slice(3, 2, &[1.0, 0.25, -1.0, -0.25, 0.0, 3.0]);
+        let made = ContactProblem::from_dynamics(mass.clone(), jacobian.clone(), &DVector::zeros(2)).rows_per_contact(1);
+        let problem = made.friction(vec![0.0; 3]).build().unwrap();
+        let (here, there) = (DVector::from_row_slice(&[0.1, 0.2, 0.3]), DVector::from_row_slice(&[1.1, 0.7, 0.25]));
+        let boxed: Vec<Interval> = there.iter().map(|r| Interval::point(*r)).collect();
+        let found = moved(&problem, &boxed, &here).unwrap();
+        let apart: DVector<Rational> = there.map(exact) - here.map(exact);
+        let p: DVector<Rational> = jacobian.map(exact).transpose() * apart;
+        // M̂⁻¹ of two rows: the determinant is 7/4
+        let by = |a: f64, b: f64| (exact(a) * &p[0] + exact(b) * &p[1]) / exact(1.75);
+        for (bound, v) in found.iter().zip([by(1.0, -0.5), by(-0.5, 2.0)]) {
+            let size = if v < exact(0.0) { -v.clone() } else { v.clone() };
+            assert!(size <= exact(*bound) && exact(bound - 1e-14) <= size, "{bound} {v}");
+        }
+        // the first two rows are opposite: one N·s at both moves nothing
+        let held = DVector::from_row_slice(&[1.0, 1.0, 0.0]).map(Interval::point);
+        assert_eq!(moved(&problem, held.as_slice(), &DVector::zeros(3)).unwrap(), [0.0, 0.0]);
     }
 
     #[test]

@@ -38,7 +38,7 @@ pub(super) use dependent::independent_rows;
 use krawczyk::{Enclosed, System};
 pub(super) use mechanism::uncertainty;
 use moreau_exact::{Error, Result};
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use pattern::{Contact, of, pressed_rows, read_off};
 
 pub use case::ContactState;
@@ -62,8 +62,10 @@ pub struct Radius {
     pub impulse: Vec<f64>,
     /// What every contact does.
     pub states: Vec<ContactState>,
-    /// Rows that depend exactly on others: their impulses are those of the answer, and other ones do as well.
+    /// Rows that depend exactly on others: their impulses are those that the proof began from, and other ones do as well.
     pub dependent: Vec<usize>,
+    /// |v* − v| of every generalised velocity, v = v_free + M̂⁻¹Hᵀr \[m/s, rad/s\]; `None` where M̂ and H are not known.
+    pub bodies: Option<Vec<f64>>,
 }
 
 impl Radius {
@@ -108,8 +110,30 @@ impl Forward {
 /// # Ok::<(), moreau_contact::Error>(())
 /// ```
 pub fn forward(problem: &ContactProblem, answer: &Solution) -> Result<Forward> {
+    forward_from(problem, answer, &answer.impulse)
+}
+
+/// The same with a pattern and equations that are read off other impulses than those of the answer: where impulses are not unique, those of
+/// the answer may lie on a border that others with the same velocity do not touch. The bounds are distances from the answer.
+///
+/// # Errors
+/// Those of [`forward`].
+/// ```
+/// use moreau_contact::certificate::forward::{forward, forward_from};
+/// use moreau_contact::nalgebra::{DMatrix, dvector};
+/// use moreau_contact::{ContactProblem, Law, Solution};
+///
+/// // one foot of two carries all of 1 N·s: it need not
+/// let feet = ContactProblem::new(DMatrix::from_element(2, 2, 1.0), dvector![-1.0, -1.0]).rows_per_contact(1);
+/// let feet = feet.law(Law::Frictionless).friction(vec![0.0; 2]).build()?;
+/// let answer = Solution::new("by hand", dvector![1.0, 0.0], dvector![0.0, 0.0], 0);
+/// let near = forward_from(&feet, &answer, &dvector![0.5, 0.5])?.proved().expect("both feet press");
+/// assert!(near.velocity == [0.0, 0.0] && near.impulse[1] >= 0.5);
+/// # Ok::<(), moreau_contact::Error>(())
+/// ```
+pub fn forward_from(problem: &ContactProblem, answer: &Solution, begun: &DVector<f64>) -> Result<Forward> {
     let rows = problem.rows();
-    for (field, numbers) in [("impulse", &answer.impulse), ("velocity", &answer.velocity)] {
+    for (field, numbers) in [("impulse", &answer.impulse), ("velocity", &answer.velocity), ("begun", begun)] {
         if numbers.len() != rows || numbers.iter().any(|number| !number.is_finite()) {
             return Err(Error::invalid(field, format!("is not {rows} finite numbers"), "give one number per row"));
         }
@@ -117,7 +141,7 @@ pub fn forward(problem: &ContactProblem, answer: &Solution) -> Result<Forward> {
     if problem.compliance().is_some_and(|soft| soft.coordinates == Coordinates::Edge) {
         return Ok(Forward::refused("a compliance on edges has no proof of a solution near", None));
     }
-    Ok(Proof::new(problem, answer, None).run())
+    Ok(Proof::new(problem, answer, None).run(begun))
 }
 
 /// The same of a problem whose contacts may stand for bilateral rows; all numbers are finite, and as many as there are rows.
@@ -126,7 +150,7 @@ pub(super) fn of_rows(rows: &ByRows, answer: &Solution) -> Forward {
     if problem.compliance().is_some_and(|soft| soft.coordinates == Coordinates::Edge) {
         return Forward::refused("a compliance on edges has no proof of a solution near", None);
     }
-    Proof::new(problem, answer, Some(rows)).run()
+    Proof::new(problem, answer, Some(rows)).run(&answer.impulse)
 }
 
 /// A proof under way.
@@ -165,10 +189,10 @@ impl<'a> Proof<'a> {
         self.joints.map_or_else(|| format!("contact {contact}"), |joints| format!("constraint {}", joints.constraint(contact)))
     }
 
-    fn run(&self) -> Forward {
+    fn run(&self, begun: &DVector<f64>) -> Forward {
         let rows = self.problem.rows_per_contact();
-        let mut impulse = self.answer.impulse.as_slice().to_vec();
-        let mut cases = read_off(&self.contacts, rows, &impulse, self.problem.law_velocity(&self.answer.impulse).as_slice());
+        let mut impulse = begun.as_slice().to_vec();
+        let mut cases = read_off(&self.contacts, rows, &impulse, self.problem.law_velocity(begun).as_slice());
         let [mut left, mut borders] = [PATTERNS; 2];
         loop {
             if pressed_rows(&self.contacts, &cases).len() > ROWS {
@@ -291,6 +315,7 @@ impl<'a> Proof<'a> {
             impulse: all.clone().map(|k| bound(moved(k))).collect(),
             states: all.map(told).collect(),
             dependent: given.to_vec(),
+            bodies: mechanism::moved(self.problem, impulse, &self.answer.impulse).map(|moved| moved.iter().map(|v| part * v).collect()),
         }
     }
 }

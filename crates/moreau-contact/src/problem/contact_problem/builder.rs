@@ -71,9 +71,8 @@ impl ContactProblem {
     /// ```
     pub fn from_dynamics(mass: DMatrix<f64>, jacobian: DMatrix<f64>, free_motion: &DVector<f64>) -> ContactProblemBuilder {
         let free_velocity = fitting(jacobian.ncols(), free_motion).map(|motion| &jacobian * motion);
-        let known = Known::Dense(Dynamics { mass, jacobian });
-        let Dynamics { mass, jacobian } = known.dense();
-        ContactProblemBuilder::of(delassus(mass, jacobian).map(Operator::from), free_velocity, Some(known))
+        let delassus = delassus(&mass, &jacobian).map(Operator::from);
+        ContactProblemBuilder::of(delassus, free_velocity, Some(Known::Dense(Dynamics { mass, jacobian })))
     }
 
     /// Does what [`ContactProblem::from_dynamics`] does, from a mass matrix that is factored already and rows that are kept body by body: W
@@ -248,6 +247,12 @@ impl ContactProblemBuilder {
         self
     }
 
+    /// The mass and Jacobian that W came from, however a file has them, or `None`.
+    pub(in crate::problem) fn known(mut self, known: Option<Known>) -> Self {
+        self.dynamics = known;
+        self
+    }
+
     /// The two bodies of each contact by number, the ground as `None`; or `None` for all of them.
     pub fn bodies(mut self, bodies: impl Into<Option<Vec<[Option<usize>; 2]>>>) -> Self {
         self.bodies = bodies.into();
@@ -284,6 +289,7 @@ impl ContactProblemBuilder {
             weights: Once::default(),
             islands: Once::default(),
             velocity_factor: Once::default(),
+            written_out: Once::default(),
         };
         problem.validate()?;
         Ok(problem)

@@ -3,14 +3,15 @@
 use super::dynamics::Dynamics;
 use crate::contact::{Inertia, Jacobian};
 use crate::memory::spare::{self, Lent};
-use crate::operator::BlockRows;
+use crate::operator::{BlockRows, SparseDynamics};
+use crate::tolerance::problem::WRITTEN_OUT;
 use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 /// M̂ and H, however they are kept.
 #[derive(Clone, Debug)]
-pub(super) enum Known {
+pub(in crate::problem) enum Known {
     /// As matrices.
     Dense(Dynamics),
     /// As a step has them, with the matrices once something asked for them.
@@ -22,13 +23,18 @@ pub(super) enum Known {
         members: Option<Lent<Vec<usize>>>,
         dense: OnceLock<Dynamics>,
     },
+    /// As a file has them, entry by entry, with the matrices once something asked for them.
+    Listed {
+        listed: Arc<SparseDynamics>,
+        dense: OnceLock<Dynamics>,
+    },
 }
 
 impl Known {
     /// Whether M̂ is a matrix of numbers: no velocity is prescribed.
     pub fn is_finite(&self) -> bool {
         match self {
-            Known::Dense(_) => true,
+            Known::Dense(_) | Known::Listed { .. } => true,
             Known::Sparse { inertia, .. } => inertia.mass().is_finite(),
         }
     }
@@ -36,6 +42,11 @@ impl Known {
     /// As a step has them.
     pub fn sparse(inertia: Arc<Inertia>, jacobian: Arc<Jacobian>) -> Self {
         Known::Sparse { inertia, jacobian, members: None, dense: OnceLock::new() }
+    }
+
+    /// As a file has them.
+    pub fn listed(listed: SparseDynamics) -> Self {
+        Known::Listed { listed: Arc::new(listed), dense: OnceLock::new() }
     }
 
     /// M̂ and H of some of the contacts; none where H is a matrix.
@@ -53,15 +64,23 @@ impl Known {
         Some((inertia, own))
     }
 
-    /// M̂ and H with all their zeros.
-    pub fn dense(&self) -> &Dynamics {
+    /// M̂ and H with all their zeros; none where a file lists their entries because there are too many for that.
+    pub fn dense(&self) -> Option<&Dynamics> {
         match self {
-            Known::Dense(dynamics) => dynamics,
-            Known::Sparse { inertia, jacobian, members, dense } => dense.get_or_init(|| {
+            Known::Listed { listed, dense } => {
+                (listed.entries() <= WRITTEN_OUT).then(|| dense.get_or_init(|| Dynamics::of(listed.triplets())))
+            }
+            Known::Dense(dynamics) => Some(dynamics),
+            Known::Sparse { inertia, jacobian, members, dense } => Some(dense.get_or_init(|| {
                 let jacobian = members.as_ref().map_or_else(|| jacobian.to_dense(), |members| jacobian.of(members).to_dense());
                 Dynamics { mass: inertia.matrix().clone(), jacobian }
-            }),
+            })),
         }
+    }
+
+    /// M̂ and H as a file listed them.
+    pub fn as_listed(&self) -> Option<&SparseDynamics> {
+        if let Known::Listed { listed, .. } = self { Some(listed) } else { None }
     }
 
     /// Appends the columns of H that the rows of a contact touch, growing.
@@ -71,6 +90,7 @@ impl Known {
                 let contact = members.as_ref().map_or(contact, |members| members[contact]);
                 columns.extend(jacobian.contacts()[contact].touched());
             }
+            Known::Listed { listed, .. } => listed.push_touched(contact, columns),
             Known::Dense(Dynamics { jacobian, .. }) => {
                 let rows = jacobian.rows(contact * rows, rows);
                 columns.extend((0..jacobian.ncols()).filter(|column| rows.column(*column).iter().any(|entry| *entry != 0.0)));
@@ -90,6 +110,9 @@ pub(super) fn push_columns_of(jacobian: &BlockRows, contact: usize, columns: &mu
 impl PartialEq for Known {
     /// Whether both are the same mass and Jacobian.
     fn eq(&self, other: &Self) -> bool {
+        if let (Known::Listed { listed: one, .. }, Known::Listed { listed: other, .. }) = (self, other) {
+            return one == other;
+        }
         match (self.by_bodies(), other.by_bodies()) {
             (Some((inertia, jacobian)), Some((mass, rows))) => jacobian == rows && inertia.mass() == mass.mass(),
             _ => self.dense() == other.dense(),

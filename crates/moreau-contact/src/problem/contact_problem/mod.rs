@@ -2,7 +2,8 @@
 
 use super::{ContactKey, Law};
 use crate::memory::spare::Lent;
-use crate::operator::{ContactOperator, Islands, Operator, VelocityFactor};
+use crate::operator::{ContactOperator, Islands, Operator, SparseDynamics, VelocityFactor};
+use crate::tolerance::problem::WRITTEN_OUT;
 use nalgebra::{DMatrix, DVector};
 
 mod builder;
@@ -18,12 +19,13 @@ mod validation;
 
 pub use builder::ContactProblemBuilder;
 pub use dynamics::Dynamics;
-use known::{Known, push_columns_of};
+pub(in crate::problem) use known::Known;
+use known::push_columns_of;
 use once::Once;
 pub(crate) use part::island_rows;
 #[cfg(feature = "files")]
 pub(super) use validation::ROWS;
-pub(super) use validation::{finite, not_negative, two_bodies};
+pub(super) use validation::{finite, not_negative, two_bodies, validate_dynamics};
 
 /// In which coordinates a diagonal compliance R acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,6 +79,7 @@ pub struct ContactProblem {
     weights: Once<Weights>,
     islands: Once<Islands>,
     velocity_factor: Once<Option<VelocityFactor>>,
+    written_out: Once<Option<Dynamics>>,
 }
 
 impl ContactProblem {
@@ -143,9 +146,21 @@ impl ContactProblem {
         }
     }
 
-    /// M̂ and H, where known, as matrices with all their zeros; what is kept by bodies is written out, once.
+    /// M̂ and H, where known, as matrices with all their zeros. What is kept by bodies or as lists is written out, once; of a file only if it
+    /// is not too large for that.
     pub fn dynamics(&self) -> Option<&Dynamics> {
-        self.dynamics.as_ref().filter(|known| known.is_finite()).map(Known::dense)
+        match (&self.dynamics, self.delassus.matrix_free()) {
+            (None, Some(free)) => {
+                let is_small = || free.entries() <= WRITTEN_OUT;
+                self.written_out.get_or(|| is_small().then(|| Dynamics::of(free.triplets()))).as_ref()
+            }
+            (known, _) => known.as_ref().filter(|known| known.is_finite()).and_then(Known::dense),
+        }
+    }
+
+    /// M̂ and H as a file listed them.
+    pub(in crate::problem) fn listed(&self) -> Option<&SparseDynamics> {
+        self.dynamics.as_ref().and_then(Known::as_listed)
     }
 
     /// What `find` says of the contacts, which the certificate asks for every answer: it is found once.

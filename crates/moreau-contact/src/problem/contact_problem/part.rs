@@ -39,6 +39,7 @@ impl ContactProblem {
             weights: Once::default(),
             islands: own.map_or_else(Once::default, Once::known),
             velocity_factor: Once::default(),
+            written_out: Once::default(),
         }
     }
 

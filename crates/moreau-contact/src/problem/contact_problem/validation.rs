@@ -41,7 +41,10 @@ impl ContactProblem {
         self.validate_compliance()?;
         self.validate_bodies()?;
         self.validate_keys()?;
-        self.validate_dynamics()
+        match &self.dynamics {
+            Some(Known::Dense(dynamics)) => validate_dynamics(dynamics, self.rows()),
+            _ => Ok(()), // by bodies and as lists they were checked with W
+        }
     }
 
     /// Refuses a list of another size than the problem has rows.
@@ -133,19 +136,19 @@ impl ContactProblem {
         }
         Ok(())
     }
+}
 
-    fn validate_dynamics(&self) -> Result<()> {
-        let Some(Known::Dense(Dynamics { mass, jacobian })) = &self.dynamics else { return Ok(()) }; // by bodies they were checked with W
-        if !mass.is_square() {
-            return Err(Error::invalid("mass", format!("has shape {}×{}", mass.nrows(), mass.ncols()), "give a square mass matrix"));
-        }
-        if jacobian.nrows() != self.rows() || jacobian.ncols() != mass.nrows() {
-            let cure = format!("use the shape {}×{}, which fits the contacts and the mass", self.rows(), mass.nrows());
-            return Err(Error::invalid("jacobian", format!("has shape {}×{}", jacobian.nrows(), jacobian.ncols()), cure));
-        }
-        finite("mass", mass.as_slice())?;
-        finite("jacobian", jacobian.as_slice())
+/// Refuses a mass and a Jacobian that do not fit so many rows or hold what is no number.
+pub(in crate::problem) fn validate_dynamics(Dynamics { mass, jacobian }: &Dynamics, rows: usize) -> Result<()> {
+    if !mass.is_square() {
+        return Err(Error::invalid("mass", format!("has shape {}×{}", mass.nrows(), mass.ncols()), "give a square mass matrix"));
     }
+    if jacobian.nrows() != rows || jacobian.ncols() != mass.nrows() {
+        let cure = format!("use the shape {rows}×{}, which fits the contacts and the mass", mass.nrows());
+        return Err(Error::invalid("jacobian", format!("has shape {}×{}", jacobian.nrows(), jacobian.ncols()), cure));
+    }
+    finite("mass", mass.as_slice())?;
+    finite("jacobian", jacobian.as_slice())
 }
 
 /// Refuses a contact of a body with itself, and of the ground with the ground.

@@ -9,6 +9,7 @@
 use super::datasets::{dimension, numbers};
 use super::matrix;
 use crate::operator::{Operator, Sparse, SparseDynamics};
+use crate::problem::contact_problem::Known;
 use crate::problem::jointed::require_room;
 use crate::problem::{ConstraintKind, JointedProblem, Law};
 use hdf5_pure::File;
@@ -72,7 +73,8 @@ fn global(file: &File, name: &str) -> Result<JointedProblem> {
     let added = DVector::from_iterator(rows, w.into_iter().chain(b));
     let free = mechanism.contact_velocity(&mechanism.solve(&DVector::from_vec(force))) + added;
     let whole = Operator::from(mechanism.delassus()?).dense().clone();
-    problem(file, group, name, whole, free, rows - first)
+    let dynamics = Known::listed(mechanism).dense().cloned();
+    problem(file, group, name, whole, free, rows - first)?.made_of(dynamics)
 }
 
 fn vector(file: &File, group: &str, name: &str) -> Result<Vec<f64>> {

@@ -9,7 +9,8 @@
 //! # Source
 //! V. Acary et al., *FCLIB: a collection of discrete 3D frictional contact problems*; the format as its files show it.
 
-use super::{ContactProblem, Law, Posed, Solution};
+use super::contact_problem::Known;
+use super::{ContactProblem, ContactProblemBuilder, Law, Posed, Solution};
 use crate::memory;
 use crate::operator::{BlockSparse, SparseDynamics};
 use datasets::{dimension, numbers};
@@ -80,7 +81,7 @@ fn local(file: &File, name: &str) -> Result<ContactProblem> {
     let dimension = dimension(file, "fclib_local/spacedim")?;
     let w = matrix::read(file, "fclib_local/W")?;
     let free = DVector::from_vec(numbers(file, "fclib_local/vectors/q")?);
-    built(BlockSparse::from_sparse(&w, dimension)?, free, numbers(file, "fclib_local/vectors/mu")?, dimension, name)
+    begun(BlockSparse::from_sparse(&w, dimension)?, free, numbers(file, "fclib_local/vectors/mu")?, dimension, name).build()
 }
 
 fn global(file: &File, name: &str) -> Result<ContactProblem> {
@@ -95,9 +96,10 @@ fn global(file: &File, name: &str) -> Result<ContactProblem> {
     }
     let mechanism = SparseDynamics::new(&mass, &jacobian.transposed(), dimension)?;
     let free = mechanism.contact_velocity(&mechanism.solve(&force)) + added;
-    built(mechanism.delassus()?, free, numbers(file, "fclib_global/vectors/mu")?, dimension, name)
+    let friction = numbers(file, "fclib_global/vectors/mu")?;
+    begun(mechanism.delassus()?, free, friction, dimension, name).known(Some(Known::listed(mechanism))).build()
 }
 
-fn built(delassus: BlockSparse, free: DVector<f64>, friction: Vec<f64>, dimension: usize, name: &str) -> Result<ContactProblem> {
-    ContactProblem::new(delassus, free).name(name).law(Law::Coulomb).rows_per_contact(dimension).friction(friction).build()
+fn begun(delassus: BlockSparse, free: DVector<f64>, friction: Vec<f64>, dimension: usize, name: &str) -> ContactProblemBuilder {
+    ContactProblem::new(delassus, free).name(name).law(Law::Coulomb).rows_per_contact(dimension).friction(friction)
 }

@@ -9,9 +9,9 @@
 
 use super::{ConstraintKind, JointedProblem};
 use crate::memory;
-use crate::problem::ContactProblem;
+use crate::problem::{ContactProblem, Dynamics};
 use moreau_exact::Result;
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 
 /// Square matrices that are alive while something is proved.
@@ -43,9 +43,16 @@ impl ByRows {
         }
         let size = units.len() * problem.rows_per_contact();
         memory::require("proving what holds of this problem with joints", memory::matrix(size, size).saturating_mul(MATRICES))?;
-        let contacts = problem.of_units(&units, problem.delassus(), problem.free_velocity()).build()?;
-        let is_joined = |k: usize| matches!(problem.kinds()[k], ConstraintKind::Bilateral { .. });
+        let made = problem.of_units(&units, problem.delassus(), problem.free_velocity()).build()?;
         let places = problem.places(&units);
+        let contacts = match problem.dynamics() {
+            None => made,
+            Some(dynamics) => {
+                let spread = spread(dynamics, &places, made.dense());
+                made.into_builder().dynamics(spread).build()?
+            }
+        };
+        let is_joined = |k: usize| matches!(problem.kinds()[k], ConstraintKind::Bilateral { .. });
         Ok(ByRows { contacts, of: units.iter().map(|(k, _)| (is_joined(*k), *k)).collect(), places, rows: problem.rows() })
     }
 
@@ -88,6 +95,25 @@ impl ByRows {
         debug_assert_eq!(places.len(), self.rows);
         places.into_iter().map(|(_, from)| spread[from].clone()).collect()
     }
+}
+
+/// M̂ and H with a velocity of its own for each row that was added, of the mass that gives it its entry of W̄.
+fn spread(Dynamics { mass, jacobian }: &Dynamics, places: &[(usize, usize)], w: &DMatrix<f64>) -> Dynamics {
+    let velocities = mass.nrows();
+    let mut from = vec![None; w.nrows()];
+    places.iter().for_each(|(row, place)| from[*place] = Some(*row));
+    let added: Vec<usize> = (0..from.len()).filter(|place| from[*place].is_none()).collect();
+    let size = velocities + added.len();
+    let mut made = Dynamics { mass: DMatrix::zeros(size, size), jacobian: DMatrix::zeros(from.len(), size) };
+    made.mass.view_mut((0, 0), (velocities, velocities)).copy_from(mass);
+    for (place, row) in from.iter().enumerate().filter_map(|(place, row)| row.map(|row| (place, row))) {
+        made.jacobian.view_mut((place, 0), (1, velocities)).copy_from(&jacobian.row(row));
+    }
+    for (own, place) in added.into_iter().enumerate() {
+        made.mass[(velocities + own, velocities + own)] = 1.0 / w[(place, place)];
+        made.jacobian[(place, velocities + own)] = 1.0;
+    }
+    made
 }
 
 #[cfg(test)]

@@ -12,8 +12,8 @@
 
 mod by_rows;
 
-use super::contact_problem::{finite, not_negative, two_bodies};
-use super::{Compliance, ContactKey, ContactProblem, ContactProblemBuilder, Coordinates, Law};
+use super::contact_problem::{finite, not_negative, two_bodies, validate_dynamics};
+use super::{Compliance, ContactKey, ContactProblem, ContactProblemBuilder, Coordinates, Dynamics, Law};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
@@ -70,6 +70,7 @@ pub struct JointedProblem {
     softness: DVector<f64>,
     bodies: Option<Vec<[Option<usize>; 2]>>,
     keys: Option<Vec<ContactKey>>,
+    dynamics: Option<Dynamics>,
 }
 
 impl JointedProblem {
@@ -93,6 +94,7 @@ impl JointedProblem {
             softness: DVector::zeros(rows),
             bodies: None,
             keys: None,
+            dynamics: None,
         };
         for (field, size) in
             [("delassus", problem.delassus.nrows()), ("delassus", problem.delassus.ncols()), ("free_velocity", problem.free_velocity.len())]
@@ -159,6 +161,22 @@ impl JointedProblem {
         let sizes = [("bodies", bodies.as_ref().map(Vec::len)), ("keys", keys.as_ref().map(Vec::len))];
         sizes.into_iter().try_for_each(|(field, size)| size.map_or(Ok(()), |size| self.require_one_each(field, size)))?;
         JointedProblem { bodies, keys, ..self }.checked()
+    }
+
+    /// The same with the mass and Jacobian that W came from, of all rows; or `None`.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] where they do not fit the rows, or a number is not finite.
+    pub fn made_of(self, dynamics: Option<Dynamics>) -> Result<Self> {
+        if let Some(dynamics) = &dynamics {
+            validate_dynamics(dynamics, self.rows())?;
+        }
+        Ok(JointedProblem { dynamics, ..self })
+    }
+
+    /// The mass and Jacobian that W came from, of all rows, where known.
+    pub fn dynamics(&self) -> Option<&Dynamics> {
+        self.dynamics.as_ref()
     }
 
     /// A name for messages.

@@ -5,6 +5,7 @@ use super::matrix::{self, MatrixFile};
 use crate::contact::delassus::delassus;
 use crate::memory;
 use crate::operator::{Operator, SparseDynamics};
+use crate::problem::contact_problem::Known;
 use crate::problem::{Compliance, ConstraintKind, Coordinates, Dynamics, Law};
 use crate::tolerance::problem::DENSE_ROWS;
 use moreau_exact::{Error, Result};
@@ -192,7 +193,7 @@ pub(super) fn read_operator(
     mass: Option<MatrixFile>,
     jacobian: Option<MatrixFile>,
     [rows_per_contact, rows]: [usize; 2],
-) -> Result<(Operator, Option<Dynamics>)> {
+) -> Result<(Operator, Option<Known>)> {
     // sizes are compared before a matrix is made, so that a wrong shape cannot ask for all the memory
     let shape = |field: &str, matrix: &MatrixFile, wanted: [usize; 2]| {
         let problem = format!("has shape {}×{}", matrix.shape[0], matrix.shape[1]);
@@ -228,11 +229,12 @@ pub(super) fn read_operator(
             }
             if rows > DENSE_ROWS && mass.triplets.is_some() && jacobian.triplets.is_some() {
                 let (mass, jacobian) = (mass.read_sparse("mass")?, jacobian.read_sparse("jacobian")?);
-                return Ok((SparseDynamics::new(&mass, &jacobian, rows_per_contact)?.delassus()?.into(), None));
+                let listed = SparseDynamics::new(&mass, &jacobian, rows_per_contact)?;
+                return Ok((listed.delassus()?.into(), Some(Known::listed(listed))));
             }
             room(velocities)?;
             let dynamics = Dynamics { mass: mass.read("mass")?, jacobian: jacobian.read("jacobian")? };
-            Ok((delassus(&dynamics.mass, &dynamics.jacobian)?.into(), Some(dynamics)))
+            Ok((delassus(&dynamics.mass, &dynamics.jacobian)?.into(), Some(Known::Dense(dynamics))))
         }
         (None, Some(_), None) => Err(Error::invalid("jacobian", "is missing beside `mass`", "give H, or W alone as `delassus`")),
         (None, None, Some(_)) => Err(Error::invalid("mass", "is missing beside `jacobian`", "give M̂, or W alone as `delassus`")),

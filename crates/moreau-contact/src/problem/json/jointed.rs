@@ -6,6 +6,8 @@
 
 use super::file::{ComplianceFile, KeyFile, KindFile, PROBLEM_SCHEMA, ProblemFile, read_compliance, read_law, read_operator, text};
 use super::matrix::MatrixFile;
+use super::written;
+use crate::problem::contact_problem::Known;
 use crate::problem::jointed::{require_room, starts};
 use crate::problem::{ConstraintKind, ContactKey, Coordinates, JointedProblem};
 use moreau_exact::{Error, Result};
@@ -31,10 +33,11 @@ pub(super) fn read(file: ProblemFile, kinds: Vec<ConstraintKind>) -> Result<Join
         }
     }
     let law = read_law(&file.law, file.directions)?;
-    let (operator, _) = read_operator(file.delassus, file.mass, file.jacobian, [1, rows])?;
+    let (operator, known) = read_operator(file.delassus, file.mass, file.jacobian, [1, rows])?;
     let mut problem = JointedProblem::new(file.dimension, kinds, operator.dense().clone(), DVector::from_vec(file.free_velocity))?
         .named(file.name)
-        .law(law, file.friction)?;
+        .law(law, file.friction)?
+        .made_of(known.as_ref().and_then(Known::dense).cloned())?;
     if let Some(shift) = file.shift {
         problem = problem.shift(DVector::from_vec(shift))?;
     }
@@ -49,11 +52,12 @@ pub(super) fn read(file: ProblemFile, kinds: Vec<ConstraintKind>) -> Result<Join
 }
 
 impl JointedProblem {
-    /// The problem as text `contact-problem/1` with `kinds`, W row by row.
+    /// The problem as text `contact-problem/1` with `kinds`, row by row: mass and Jacobian if W follows from them bit for bit, else W.
     pub fn to_json(&self) -> String {
         let list = |vector: &DVector<f64>| vector.as_slice().to_vec();
         let soft = self.softnesses().iter().any(|soft| *soft != 0.0);
         let keys = |keys: &[ContactKey]| keys.iter().map(|key| KeyFile { bodies: key.bodies, features: key.features }).collect();
+        let [mass, jacobian] = written(self.dynamics(), self.delassus());
         text(&ProblemFile {
             schema: PROBLEM_SCHEMA.into(),
             name: self.name().into(),
@@ -63,9 +67,9 @@ impl JointedProblem {
             friction: self.friction().to_vec(),
             free_velocity: list(self.free_velocity()),
             shift: Some(list(self.shifts())),
-            delassus: Some(MatrixFile::dense(self.delassus())),
-            mass: None,
-            jacobian: None,
+            delassus: mass.is_none().then(|| MatrixFile::dense(self.delassus())),
+            mass,
+            jacobian,
             compliance: soft.then(|| ComplianceFile { coordinates: "contact".into(), diagonal: list(self.softnesses()) }),
             bodies: self.bodies().map(<[_]>::to_vec),
             keys: self.keys().map(keys),

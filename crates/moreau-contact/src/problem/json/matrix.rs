@@ -130,6 +130,13 @@ impl MatrixFile {
         MatrixFile { rows: Some(rows), ..MatrixFile::empty([matrix.nrows(), matrix.ncols()]) }
     }
 
+    /// Entry by entry.
+    pub(super) fn sparse(Sparse { shape, entries }: Sparse) -> Self {
+        let (places, value): (Vec<_>, Vec<_>) = entries.into_iter().map(|(i, j, value)| ((i, j), value)).unzip();
+        let (row, column) = places.into_iter().unzip();
+        MatrixFile { triplets: Some(Triplets { row, column, value }), ..MatrixFile::empty(shape) }
+    }
+
     /// W as it is stored.
     pub(super) fn operator(operator: &Operator) -> Self {
         let Some(blocks) = operator.blocks() else { return Self::dense(operator.dense()) };

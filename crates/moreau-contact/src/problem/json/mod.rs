@@ -7,7 +7,7 @@
 //! Numbers in SI. `dimension` is the number of rows per contact. A matrix is `rows`, or `triplets` {row, column, value}
 //! counted from 0, each place at most once; W may be `blocks` {row, column, value}, of the contacts that meet. Instead of
 //! `delassus` a file may give `mass` and `jacobian`; with `diagonal_blocks` of the mass and `sparse_rows` of the Jacobian W is not formed,
-//! and by triplets and with more than 240 rows they make W by blocks and are not kept. Optional: `keys` (bodies and features of each
+//! and by triplets and with more than 240 rows they make W by blocks. Optional: `keys` (bodies and features of each
 //! contact, by which impulses are carried to a changed list), `shift` (default 0), `directions` (polyhedral laws), `compliance`
 //! {coordinates: contact | edge, diagonal}, `bodies` (the two bodies of each contact, the ground as null), `kinds` (contacts, limits of one
 //! row and bilateral constraints of 1 to 6 rows, in any order), `provenance` (anything).
@@ -17,8 +17,9 @@ use super::{ConstraintKind, ContactKey, ContactProblem, Coordinates, Dynamics, P
 use crate::contact::delassus::delassus;
 use crate::files::{read_json, read_object, read_problem, read_schema, schema_of, write_atomically};
 use crate::memory;
+use crate::tolerance::problem::DENSE_ROWS;
 use moreau_exact::{Error, Result};
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -141,6 +142,12 @@ fn no_hdf5() -> Error {
     Error::invalid("HDF5", "is missing: the file does not begin as HDF5 files do", cure)
 }
 
+/// M̂ and H row by row, if W follows from them bit for bit.
+fn written(dynamics: Option<&Dynamics>, w: &DMatrix<f64>) -> [Option<MatrixFile>; 2] {
+    let follows = |dynamics: &&Dynamics| delassus(&dynamics.mass, &dynamics.jacobian).is_ok_and(|found| found == *w);
+    dynamics.filter(follows).map_or([None, None], |Dynamics { mass, jacobian }| [mass, jacobian].map(|matrix| Some(MatrixFile::dense(matrix))))
+}
+
 impl ContactProblem {
     /// Reads and validates a file `contact-problem/1` or `lcp/1`, or a text file `.dat` of Siconos, or – with the feature
     /// `fclib` – an HDF5 file of FCLIB; its first byte tells which.
@@ -182,7 +189,7 @@ impl ContactProblem {
             .friction(file.friction)
             .shift(file.shift.map_or_else(|| DVector::zeros(rows), DVector::from_vec))
             .compliance(file.compliance.map(read_compliance).transpose()?)
-            .dynamics(dynamics)
+            .known(dynamics)
             .bodies(file.bodies)
             .keys(file.keys.map(|keys| keys.into_iter().map(|KeyFile { bodies, features }| ContactKey { bodies, features }).collect()))
             .build()
@@ -190,13 +197,14 @@ impl ContactProblem {
 
     /// The problem as text `contact-problem/1`. Mass and Jacobian are written in place of W if W follows from them bit for bit.
     pub fn to_json(&self) -> String {
-        let follows = |dynamics: &&Dynamics| delassus(&dynamics.mass, &dynamics.jacobian).is_ok_and(|w| w == *self.dense());
-        let [mass, jacobian] = match self.delassus().matrix_free() {
-            Some(free) => by_bodies::written(free).map(Some),
-            None => self
-                .dynamics()
-                .filter(follows)
-                .map_or([None, None], |dynamics| [Some(MatrixFile::dense(&dynamics.mass)), Some(MatrixFile::dense(&dynamics.jacobian))]),
+        let listed = self.listed().filter(|_| self.rows() > DENSE_ROWS);
+        let [mass, jacobian] = match (self.delassus().matrix_free(), listed) {
+            (Some(free), _) => by_bodies::written(free).map(Some),
+            (None, Some(listed)) if listed.delassus().is_ok_and(|w| self.delassus().blocks() == Some(&w)) => {
+                listed.triplets().map(|entries| Some(MatrixFile::sparse(entries)))
+            }
+            (None, Some(_)) => [None, None],
+            (None, None) => written(self.dynamics(), self.dense()),
         };
         let file = ProblemFile {
             schema: PROBLEM_SCHEMA.into(),

@@ -11,7 +11,8 @@
 //! The printing routines of Siconos 4 (`frictionContact_printInFile`, `globalFrictionContact_printInFile`, `NM_write_in_file`), as the
 //! files show them.
 
-use super::{ContactProblem, Law};
+use super::contact_problem::Known;
+use super::{ContactProblem, ContactProblemBuilder, Law};
 use crate::operator::{Operator, SparseDynamics};
 use matrix::Matrix;
 use moreau_exact::{Error, Result};
@@ -54,7 +55,7 @@ fn friction(tokens: &mut Tokens, name: &str) -> Result<ContactProblem> {
     let first = Matrix::read(tokens, "W")?;
     if first.shape() == [rows, rows] && !is_global(tokens, rows, contacts) {
         let free = tokens.vector("q", rows)?;
-        return built(first.into_operator(dimension)?, DVector::from_vec(free), dimension, tokens.vector("mu", contacts)?, name);
+        return begun(first.into_operator(dimension)?, DVector::from_vec(free), dimension, tokens.vector("mu", contacts)?, name).build();
     }
     let jacobian = Matrix::read(tokens, "H")?;
     let velocities = first.shape()[0];
@@ -66,7 +67,8 @@ fn friction(tokens: &mut Tokens, name: &str) -> Result<ContactProblem> {
     }
     let mechanism = SparseDynamics::new(&first.into_sparse(), &jacobian.into_sparse().transposed(), dimension)?;
     let free = mechanism.contact_velocity(&mechanism.solve(&force)) + added;
-    built(mechanism.delassus()?.into(), free, dimension, friction, name)
+    let delassus = mechanism.delassus()?;
+    begun(delassus.into(), free, dimension, friction, name).known(Some(Known::listed(mechanism))).build()
 }
 
 /// Whether what follows the first matrix is another one: a local problem has q and μ left, and perhaps a mark.
@@ -75,8 +77,8 @@ fn is_global(tokens: &Tokens, rows: usize, contacts: usize) -> bool {
         && matches!(tokens.clone().peek_whole(3)[..], [0..=2, matrix_rows, columns] if matrix_rows == rows && columns == rows)
 }
 
-fn built(delassus: Operator, free: DVector<f64>, dimension: usize, friction: Vec<f64>, name: &str) -> Result<ContactProblem> {
-    ContactProblem::new(delassus, free).name(name).law(Law::Coulomb).rows_per_contact(dimension).friction(friction).build()
+fn begun(delassus: Operator, free: DVector<f64>, dimension: usize, friction: Vec<f64>, name: &str) -> ContactProblemBuilder {
+    ContactProblem::new(delassus, free).name(name).law(Law::Coulomb).rows_per_contact(dimension).friction(friction)
 }
 
 fn lcp(tokens: &mut Tokens, name: &str) -> Result<ContactProblem> {

@@ -45,6 +45,7 @@ use stages::{QUICK, THOROUGH, left_out};
 /// | second-order cones, up to 50 contacts | Newton without some of them, for every set of those that are left |
 /// | second-order cones, not too many contacts | Lemke with an octagon, then a pentagon, in place of the disk, and Newton |
 /// | second-order cones | many steps of the alternating directions, and Newton |
+/// | Coulomb's law, not too many contacts | convex problems with the lift of the one before |
 /// | second-order cones | over-relaxation |
 /// | polyhedral Coulomb in space | plain sweeps |
 /// | the associated laws | accelerated projected gradient with round cones, Clarabel |

@@ -4,7 +4,7 @@
 use super::super::ClarabelPolished;
 use super::super::watch;
 use super::super::{
-    AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, Enumeration, GaussNewton, InteriorPoint, LemkePivoting, NewtonMin,
+    AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, ConvexSubproblems, Enumeration, GaussNewton, InteriorPoint, LemkePivoting, NewtonMin,
     NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation, ProximalNewton, compliance,
 };
 use super::{fewer_contacts, smoothing};
@@ -59,6 +59,7 @@ pub(super) const THOROUGH: &[(Takes, Stage)] = &[
     (is_round, |problem, _, stop| through_polygon(problem, tolerance::LEMKE_DIRECTIONS[1], stop)),
     (has_second_order_cone, |problem, start, stop| AlternatingDirections { tolerance: stop, ..Default::default() }.solve(problem, start)),
     (has_second_order_cone, newton),
+    (is_lifted, |problem, _, stop| ConvexSubproblems { tolerance: stop, ..Default::default() }.solve(problem, None)),
     (has_second_order_cone, |problem, start, stop| {
         ProjectedOverRelaxation { sweeps: tolerance::AUTO_SWEEPS, tolerance: stop, ..Default::default() }.solve(problem, start)
     }),
@@ -165,6 +166,11 @@ fn is_swept(problem: &ContactProblem) -> bool {
 
 fn has_second_order_cone(problem: &ContactProblem) -> bool {
     problem.law().directions().is_none()
+}
+
+/// Whether it is a convex problem but for the lift of Coulomb's law, not too large for many of those.
+fn is_lifted(problem: &ContactProblem) -> bool {
+    problem.law() == Law::Coulomb && is_iterated(problem) && problem.contacts() <= tolerance::LIFTED_CONTACTS
 }
 
 fn newton(problem: &ContactProblem, start: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
