@@ -3,7 +3,8 @@
 use super::*;
 use crate::certificate::draw::Draw;
 use crate::certificate::planted::{Plant, with};
-use crate::problem::{ConstraintKind, Law};
+use crate::contact::delassus::delassus;
+use crate::problem::{ConstraintKind, Dynamics, Law};
 use crate::tolerance::sharpness::{EXCESS, FAR, FEW, MANY, NEAR, roundings};
 use moreau_exact::scalar::{Rational, exact};
 use nalgebra::{DMatrix, dmatrix, dvector};
@@ -275,4 +276,21 @@ fn wrong_sizes_and_what_is_no_number_are_refused() {
     for (impulse, velocity) in [(dvector![1.0], dvector![0.0, 0.0]), (dvector![1.0, 0.0], dvector![f64::INFINITY, 0.0])] {
         assert!(forward_jointed(&problem, &Solution::new("", impulse, velocity, 0)).is_err());
     }
+}
+
+/// Rows a, b and a + b of one body of 7 kg: of H they are dependent, of W = H Hᵀ/7 only but for rounding.
+#[test]
+fn rows_that_repeat_others_are_told_by_mass_and_rows_and_not_by_a_rounded_w() {
+    let rows = dmatrix![0.0, 0.0, 1.0; 1.0, 0.0, 0.0; 0.0, 1.0, 0.0; 1.0, 1.0, 0.0];
+    let dynamics = Dynamics { mass: DMatrix::identity(3, 3) * 7.0, jacobian: rows.clone() };
+    let w = delassus(&dynamics.mass, &rows).unwrap();
+    let kinds = [vec![ConstraintKind::Contact], vec![ConstraintKind::Bilateral { rows: 1 }; 3]].concat();
+    let alone = JointedProblem::new(1, kinds, w, &rows * dvector![0.5, -0.25, -1.0]).unwrap().law(Law::Frictionless, vec![0.0; 4]).unwrap();
+    let known = alone.clone().made_of(Some(dynamics)).unwrap();
+    let impulse = dvector![7.0, -3.5, 1.75, 0.0];
+    let answer = Solution::new("by hand", impulse.clone(), alone.velocity(&impulse), 0);
+    assert!(matches!(forward_jointed(&alone, &answer).unwrap().near, Forward::NotProved(_)));
+    let near = forward_jointed(&known, &answer).unwrap().near.proved().expect("its rows depend exactly on each other");
+    assert!(near.worst().unwrap().1 <= roundings(FEW) && near.dependent.len() == 1, "{near:?}");
+    assert_eq!(near.bodies.map(|bodies| bodies.len()), Some(3), "velocities of the body, none of rows that were added");
 }

@@ -14,7 +14,7 @@ pub struct Dynamics {
 
 impl Dynamics {
     /// Of M̂ and H as lists of their entries.
-    pub(super) fn of([mass, jacobian]: [Sparse; 2]) -> Self {
+    pub(in crate::problem) fn of([mass, jacobian]: [Sparse; 2]) -> Self {
         Dynamics { mass: mass.to_dense(), jacobian: jacobian.to_dense() }
     }
 }

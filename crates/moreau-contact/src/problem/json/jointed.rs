@@ -9,7 +9,8 @@ use super::matrix::MatrixFile;
 use super::written;
 use crate::problem::contact_problem::Known;
 use crate::problem::jointed::{require_room, starts};
-use crate::problem::{ConstraintKind, ContactKey, Coordinates, JointedProblem};
+use crate::problem::{ConstraintKind, ContactKey, Coordinates, Dynamics, JointedProblem};
+use crate::tolerance::problem::WRITTEN_OUT;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 use serde_json::json;
@@ -34,10 +35,11 @@ pub(super) fn read(file: ProblemFile, kinds: Vec<ConstraintKind>) -> Result<Join
     }
     let law = read_law(&file.law, file.directions)?;
     let (operator, known) = read_operator(file.delassus, file.mass, file.jacobian, [1, rows])?;
+    let by_bodies = operator.matrix_free().filter(|free| free.entries() <= WRITTEN_OUT).map(|free| Dynamics::of(free.triplets()));
     let mut problem = JointedProblem::new(file.dimension, kinds, operator.dense().clone(), DVector::from_vec(file.free_velocity))?
         .named(file.name)
         .law(law, file.friction)?
-        .made_of(known.as_ref().and_then(Known::dense).cloned())?;
+        .made_of(known.as_ref().and_then(Known::dense).cloned().or(by_bodies))?;
     if let Some(shift) = file.shift {
         problem = problem.shift(DVector::from_vec(shift))?;
     }
