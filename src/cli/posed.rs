@@ -116,4 +116,3 @@ pub fn refuted(posed: &Posed) -> Option<String> {
         Posed::Jointed(problem) => no_solution_jointed(problem),
     }
 }
-

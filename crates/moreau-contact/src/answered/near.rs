@@ -37,8 +37,7 @@ pub fn near(problem: &ContactProblem, answer: &Solution) -> Result<Forward> {
     if problem.rows() > NEAR_ROWS || matches!(first, Forward::Proved(_)) {
         return Ok(first);
     }
-    let others: [&dyn Fn() -> Result<Solution>; 2] =
-        [&|| least_norm(problem, answer), &|| InteriorPoint::default().solve(problem, None)];
+    let others: [&dyn Fn() -> Result<Solution>; 2] = [&|| least_norm(problem, answer), &|| InteriorPoint::default().solve(problem, None)];
     for other in others {
         // that there are no such impulses is no reason against a proof from others
         let Ok(found) = other() else { continue };

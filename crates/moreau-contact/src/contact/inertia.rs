@@ -254,7 +254,13 @@ mod tests {
 
     #[test]
     fn bodies_that_follow_each_other_have_their_own_blocks() {
-        let blocks = Inertia::of(Mass::Blocks(vec![dmatrix![1.0], dmatrix![2.0, 0.5; 0.5, 3.0], dmatrix![], dmatrix![4.0, 0.0; 0.0, 5.0], dmatrix![6.0]]));
+        let blocks = Inertia::of(Mass::Blocks(vec![
+            dmatrix![1.0],
+            dmatrix![2.0, 0.5; 0.5, 3.0],
+            dmatrix![],
+            dmatrix![4.0, 0.0; 0.0, 5.0],
+            dmatrix![6.0],
+        ]));
         let three = blocks.expect("definite").bodies(3).expect("a block is within a body");
         assert_eq!(three, [dmatrix![1.0, 0.0, 0.0; 0.0, 2.0, 0.5; 0.0, 0.5, 3.0], dmatrix![4.0, 0.0, 0.0; 0.0, 5.0, 0.0; 0.0, 0.0, 6.0]]);
         let diagonal = |second: f64| Inertia::of(Mass::Diagonal(dvector![1.0, second])).expect("positive");

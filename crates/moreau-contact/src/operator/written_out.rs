@@ -21,7 +21,8 @@ impl MatrixFree {
         let mut jacobian = Sparse { shape: [d * self.contacts(), velocities], entries: Vec::new() };
         for (k, (body, block)) in (0..self.contacts()).flat_map(|k| self.jacobian().contact(k).map(move |part| (k, part))) {
             let range = self.jacobian().velocities(body);
-            let own = block.iter().enumerate().map(|(place, value)| (k * d + place / range.len(), range.start + place % range.len(), *value));
+            let own =
+                block.iter().enumerate().map(|(place, value)| (k * d + place / range.len(), range.start + place % range.len(), *value));
             jacobian.entries.extend(own);
         }
         [mass, jacobian]

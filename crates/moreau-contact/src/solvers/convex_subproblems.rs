@@ -8,8 +8,8 @@
 //! where that does not end, by interior points and Newton's method from there. A fixed point is a solution of Coulomb's problem.
 //!
 //! **Safeguards.** θ = 1 is de Saxcé's iteration, a contraction for small friction only. Where F(s) − s grows, or turns round and hardly
-//! falls, θ is halved; else it is doubled again, to at most 1. Where s cycles for every θ the iteration ends with the best iterate by the
-//! certificate's residual; no fixed point is promised, and none need exist.
+//! falls, θ is halved; where it falls without turning round it is doubled again, to at most 1. Where s cycles for every θ the iteration ends
+//! with the best iterate by the certificate's residual; no fixed point is promised, and none need exist.
 //!
 //! # Source
 //! De Saxcé and Feng, *The bipotential method* (1998); Acary, Cadoux, Lemaréchal and Malick, *A formulation of the linear discrete Coulomb
@@ -86,8 +86,7 @@ impl ContactSolver for ConvexSubproblems {
             }
             if done > 0 {
                 let change = lift_of(problem, &velocity) - &lift;
-                let is_shorter = before.as_ref().is_some_and(|before| is_too_long(before, &change));
-                theta = if is_shorter { (0.5 * theta).max(first_order::LEAST_SHARE) } else { (2.0 * theta).min(1.0) };
+                theta = (theta * before.as_ref().map_or(1.0, |before| longer(before, &change))).clamp(first_order::LEAST_SHARE, 1.0);
                 lift += &change * theta;
                 before = Some(change);
             }
@@ -99,10 +98,17 @@ impl ContactSolver for ConvexSubproblems {
     }
 }
 
-/// Whether a step was too long: the next F(s) − s is larger, or swings to the other side and is hardly smaller.
-fn is_too_long(before: &DVector<f64>, change: &DVector<f64>) -> bool {
-    let (was, is) = (before.norm(), change.norm());
-    is >= was || before.dot(change) < 0.0 && is > first_order::SWINGS * was
+/// By how much the next step should be longer than the last: half where F(s) − s grew, or swings to the other side and hardly falls; twice
+/// where it falls without a swing.
+fn longer(before: &DVector<f64>, change: &DVector<f64>) -> f64 {
+    let (was, is, swings) = (before.norm(), change.norm(), before.dot(change) < 0.0);
+    if is >= was || swings && is > first_order::SWINGS * was {
+        0.5
+    } else if swings {
+        1.0
+    } else {
+        2.0
+    }
 }
 
 /// μ‖y_t‖ of every contact \[m/s\].
@@ -172,8 +178,8 @@ mod tests {
         let problem = block(0.5).into_builder().delassus(w).free_velocity(DVector::from_vec(vec![-1.16, 1.0])).build().unwrap();
         let answer = ConvexSubproblems::default().solve(&problem, None).unwrap();
         assert!(residuals(&problem, &answer).unwrap().is_solution(tolerance::ENOUGH), "{}", answer.iterations);
-        assert!(is_too_long(&DVector::from_element(1, 1.0), &DVector::from_element(1, -1.0 + f64::EPSILON)));
-        assert!(!is_too_long(&DVector::from_element(1, 1.0), &DVector::from_element(1, 1.0 - f64::EPSILON)));
+        let after = |change: f64| longer(&DVector::from_element(1, 1.0), &DVector::from_element(1, change));
+        assert_eq!([1.0, -1.0 + f64::EPSILON, -0.5, 1.0 - f64::EPSILON].map(after), [0.5, 0.5, 1.0, 2.0]);
     }
 
     #[test]

@@ -62,11 +62,11 @@ mod tests {
     }
 
     #[test]
-    fn two_ends_wait_for_the_middle_of_a_chain() {
-        // three fronts of 30 pivots: the ends leave 30 rows each
+    fn an_end_of_a_chain_waits_for_the_front_of_the_others() {
+        // 30 pivots in a front of 60 rows, which leave 30 rows to the front of the other two, of 60 pivots
         let need = tree(&[&[1], &[0, 2], &[1]]).need();
-        assert_eq!(need, Need { storage: 2 * 30 * 60 + 30 * 30, front: 60 * 60, left: 2 * 900, waiting: 2 * 900 });
-        assert_eq!((need.bytes(true), need.bytes(false)), (8 * (4500 + 3600 + 1800), 8 * (9000 + 3600 + 1800)));
+        assert_eq!(need, Need { storage: 30 * 60 + 60 * 60, front: 60 * 60, left: 30 * 30, waiting: 30 * 30 });
+        assert_eq!((need.bytes(true), need.bytes(false)), (8 * (5400 + 3600 + 900), 8 * (10_800 + 3600 + 900)));
     }
 
     #[test]

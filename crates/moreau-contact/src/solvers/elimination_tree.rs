@@ -9,6 +9,8 @@
 //! # Source
 //! Davis, *Direct methods for sparse linear systems*, SIAM 2006, chapters 4, 6 and 7.
 
+use super::watch;
+use crate::memory;
 use crate::operator::Lists;
 use crate::tolerance::fronts::{NARROW, VAIN};
 use std::cmp::Reverse;
@@ -42,6 +44,8 @@ pub(super) struct Tree {
     pub node_of: Vec<usize>,
     /// Entries of the stored factor.
     pub storage: usize,
+    /// Whether there is none: its factor takes more memory than is allowed, or whoever watches the solver ended it.
+    pub is_given_up: bool,
     order: Order,
 }
 
@@ -81,7 +85,11 @@ impl Tree {
         if self.order.is_planned && self.order.is_of(rows, neighbours) {
             return;
         }
-        self.order.find(rows, neighbours);
+        if !self.order.find(rows, neighbours) {
+            self.begin(rows);
+            (self.order.is_planned, self.is_given_up) = (false, true);
+            return;
+        }
         self.order.amalgamate(rows);
         self.begin(rows);
         let Tree { nodes, groups, children, node_of, storage, order, .. } = self;
@@ -142,7 +150,7 @@ impl Tree {
         rows.iter().for_each(|count| self.starts.push(self.starts[self.starts.len() - 1] + count));
         self.node_of.clear();
         self.node_of.resize(rows.len(), 0);
-        self.storage = 0;
+        (self.storage, self.is_given_up) = (0, false);
     }
 
     /// The groups of a front.
@@ -215,8 +223,8 @@ impl Order {
         self.of.0 == rows && self.of.1 == *neighbours
     }
 
-    /// Fewest rows first, the first of several.
-    fn find(&mut self, rows: &[usize], neighbours: &Lists) {
+    /// Fewest rows first, the first of several; false where the columns that they leave are more than memory holds, or the solver was ended.
+    fn find(&mut self, rows: &[usize], neighbours: &Lists) -> bool {
         self.of.0.clear();
         self.of.0.extend_from_slice(rows);
         self.of.1.copy_from(neighbours);
@@ -231,9 +239,14 @@ impl Order {
         degrees.extend(neighbours.iter().map(|list| width(rows, list)));
         waiting.clear();
         waiting.extend(degrees.iter().enumerate().map(|(k, degree)| Reverse((*degree, k))));
+        let mut stored = 0;
         while let Some(Reverse((degree_then, k))) = waiting.pop() {
             if done[k] || degree_then != degrees[k] {
                 continue;
+            }
+            stored += rows[k] as u128 * (rows[k] + degree_then) as u128;
+            if watch::is_over() || memory::require("an order of elimination", 8 * stored).is_err() {
+                return false;
             }
             done[k] = true;
             order.push(k);
@@ -246,6 +259,7 @@ impl Order {
                 waiting.push(Reverse((degrees[j], j)));
             }
         }
+        true
     }
 
     /// Puts groups together whose fronts are nearly the same.
@@ -382,6 +396,17 @@ mod tests {
             kept.plan(&vec![3; neighbours.len()], &lists(&neighbours));
             is_same(&kept, &tree(&neighbours));
         }
+    }
+
+    #[test]
+    fn an_order_is_given_up_where_the_solver_was_ended() {
+        let neighbours: Vec<Vec<usize>> = (0..9usize).map(|k| (0..9).filter(|j| *j != k).collect()).collect();
+        let interrupt = watch::Interrupt::default();
+        interrupt.now();
+        let (mut ended, seen) = watch::watched(&interrupt, || tree(&neighbours));
+        assert!(ended.is_given_up && ended.nodes.is_empty() && seen.interrupted);
+        ended.plan(&[3; 9], &lists(&neighbours));
+        is_same(&ended, &tree(&neighbours));
     }
 
     #[test]

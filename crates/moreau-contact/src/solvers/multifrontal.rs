@@ -57,7 +57,7 @@ impl Factor {
     ) -> bool {
         let need = tree.need();
         let is_allowed = memory::require("eliminating by fronts", need.bytes(is_symmetric)).is_ok();
-        if !is_allowed {
+        if tree.is_given_up || !is_allowed {
             return false;
         }
         let keeps = need.left <= KEPT;

@@ -52,7 +52,7 @@ impl VelocityElimination {
         met.sort_each();
         tree.plan(&y.columns, met);
         contacts.collect(tree.nodes.len(), |show| {
-            for k in 0..y.contacts() {
+            for k in (0..y.contacts()).filter(|_| !tree.is_given_up) {
                 if let Some(node) = y.parts(k).iter().map(|(group, _)| tree.node_of[*group]).min() {
                     show(node, k);
                 }

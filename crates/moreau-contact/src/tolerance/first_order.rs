@@ -13,7 +13,7 @@ pub const SUBPROBLEMS: usize = 200;
 /// Set.
 pub const LEAST_SHARE: f64 = 1.0 / 32.0;
 
-/// Part of F(s) − s that may be left where it turned round for a step not to be too long: half. With θ(1 + L) between ½ and 3/2 at most
-/// half is left for a map of slope −L, and one halving or doubling comes there from anywhere else.
+/// Part of F(s) − s that may be left where it turned round for a step not to be too long: half. Of a map of slope −L, 1 − θ(1 + L) is left:
+/// where that is below −½, half of θ leaves between −¼ and ½ of what was, or is still too long.
 /// Derived.
 pub const SWINGS: f64 = 0.5;

@@ -21,7 +21,6 @@
 use super::assembly::stack;
 use super::{Inertia, Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use crate::mechanics::{Mechanism, State};
-use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::contact::pairs;
 use moreau_contact::problem::{ContactProblem, Law};
 use moreau_exact::{Error, Result};
@@ -35,7 +34,7 @@ pub struct RungeKuttaFlip;
 /// Mean velocity and velocity at the end of a free step \[m/s\].
 fn free_step(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<[DVector<f64>; 2]> {
     let acceleration = |position: &DVector<f64>, velocity: &DVector<f64>| -> Result<DVector<f64>> {
-        Ok(MassFactor::new(&mechanism.mass_matrix(position))?.solve(&mechanism.force(position, velocity)))
+        Ok(Inertia::of(mechanism.mass(position))?.solve(&mechanism.force(position, velocity)))
     };
     let State { position, velocity, .. } = state;
     let first = acceleration(position, velocity)?;

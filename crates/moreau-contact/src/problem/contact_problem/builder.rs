@@ -247,7 +247,14 @@ impl ContactProblemBuilder {
         self
     }
 
+    /// The mass and Jacobian that W came from, by the velocities that the mass couples. They are believed, not compared with W.
+    pub fn sparse_dynamics(mut self, dynamics: SparseDynamics) -> Self {
+        self.dynamics = Some(Known::listed(dynamics));
+        self
+    }
+
     /// The mass and Jacobian that W came from, however a file has them, or `None`.
+    #[cfg(feature = "files")]
     pub(in crate::problem) fn known(mut self, known: Option<Known>) -> Self {
         self.dynamics = known;
         self

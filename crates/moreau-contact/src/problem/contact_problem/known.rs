@@ -1,8 +1,12 @@
 //! The mass and Jacobian that a problem is known to come from: as matrices, or by bodies until something asks for matrices.
 
 use super::dynamics::Dynamics;
+#[cfg(feature = "files")]
+use crate::contact::Mass;
 use crate::contact::{Inertia, Jacobian};
 use crate::memory::spare::{self, Lent};
+#[cfg(feature = "files")]
+use crate::operator::Sparse;
 use crate::operator::{BlockRows, SparseDynamics};
 use crate::tolerance::problem::WRITTEN_OUT;
 use std::borrow::Cow;
@@ -24,10 +28,7 @@ pub(in crate::problem) enum Known {
         dense: OnceLock<Dynamics>,
     },
     /// As a file has them, entry by entry, with the matrices once something asked for them.
-    Listed {
-        listed: Arc<SparseDynamics>,
-        dense: OnceLock<Dynamics>,
-    },
+    Listed { listed: Arc<SparseDynamics>, dense: OnceLock<Dynamics> },
 }
 
 impl Known {
@@ -78,9 +79,25 @@ impl Known {
         }
     }
 
-    /// M̂ and H as a file listed them.
-    pub fn as_listed(&self) -> Option<&SparseDynamics> {
-        if let Known::Listed { listed, .. } = self { Some(listed) } else { None }
+    /// M̂ and H entry by entry, where they are not kept as matrices.
+    #[cfg(feature = "files")]
+    pub fn triplets(&self, rows_per_contact: usize) -> Option<[Sparse; 2]> {
+        match self {
+            Known::Dense(_) => None,
+            Known::Listed { listed, .. } => Some(listed.triplets()),
+            Known::Sparse { inertia, .. } => {
+                let (_, jacobian) = self.by_bodies()?;
+                let mut rows = Sparse { shape: [jacobian.nrows(), jacobian.ncols()], entries: Vec::new() };
+                for (k, contact) in jacobian.contacts().iter().enumerate() {
+                    for part in contact.parts() {
+                        let place = |at: usize| (k * rows_per_contact + at / part.width, part.first + at % part.width);
+                        let own = part.entries.iter().enumerate().filter(|(_, entry)| **entry != 0.0);
+                        rows.entries.extend(own.map(|(at, entry)| (place(at).0, place(at).1, *entry)));
+                    }
+                }
+                Some([entries_of(inertia.mass()), rows])
+            }
+        }
     }
 
     /// Appends the columns of H that the rows of a contact touch, growing.
@@ -97,6 +114,24 @@ impl Known {
             }
         }
     }
+}
+
+/// The entries of a mass that are not zero.
+#[cfg(feature = "files")]
+fn entries_of(mass: &Mass) -> Sparse {
+    let entries = match mass {
+        Mass::Diagonal(diagonal) => diagonal.iter().enumerate().map(|(v, mass)| (v, v, *mass)).collect(),
+        Mass::Blocks(blocks) => {
+            let (mut entries, mut first) = (Vec::new(), 0);
+            for block in blocks {
+                entries.extend(Sparse::of(block).entries.into_iter().map(|(i, j, mass)| (first + i, first + j, mass)));
+                first += block.nrows();
+            }
+            entries
+        }
+        Mass::Dense(dense) => return Sparse::of(dense),
+    };
+    Sparse { shape: [mass.size(); 2], entries }
 }
 
 /// Appends the columns that the rows of a contact touch, of an H by bodies.

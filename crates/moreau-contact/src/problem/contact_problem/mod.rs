@@ -2,7 +2,9 @@
 
 use super::{ContactKey, Law};
 use crate::memory::spare::Lent;
-use crate::operator::{ContactOperator, Islands, Operator, SparseDynamics, VelocityFactor};
+#[cfg(feature = "files")]
+use crate::operator::Sparse;
+use crate::operator::{ContactOperator, Islands, Operator, VelocityFactor};
 use crate::tolerance::problem::WRITTEN_OUT;
 use nalgebra::{DMatrix, DVector};
 
@@ -158,9 +160,10 @@ impl ContactProblem {
         }
     }
 
-    /// M̂ and H as a file listed them.
-    pub(in crate::problem) fn listed(&self) -> Option<&SparseDynamics> {
-        self.dynamics.as_ref().and_then(Known::as_listed)
+    /// M̂ and H entry by entry, where they are not kept as matrices.
+    #[cfg(feature = "files")]
+    pub(in crate::problem) fn triplets(&self) -> Option<[Sparse; 2]> {
+        self.dynamics.as_ref().filter(|known| known.is_finite()).and_then(|known| known.triplets(self.rows_per_contact))
     }
 
     /// What `find` says of the contacts, which the certificate asks for every answer: it is found once.

@@ -9,7 +9,6 @@
 //! # Source
 //! V. Acary et al., *FCLIB: a collection of discrete 3D frictional contact problems*; the format as its files show it.
 
-use super::contact_problem::Known;
 use super::{ContactProblem, ContactProblemBuilder, Law, Posed, Solution};
 use crate::memory;
 use crate::operator::{BlockSparse, SparseDynamics};
@@ -97,7 +96,7 @@ fn global(file: &File, name: &str) -> Result<ContactProblem> {
     let mechanism = SparseDynamics::new(&mass, &jacobian.transposed(), dimension)?;
     let free = mechanism.contact_velocity(&mechanism.solve(&force)) + added;
     let friction = numbers(file, "fclib_global/vectors/mu")?;
-    begun(mechanism.delassus()?, free, friction, dimension, name).known(Some(Known::listed(mechanism))).build()
+    begun(mechanism.delassus()?, free, friction, dimension, name).sparse_dynamics(mechanism).build()
 }
 
 fn begun(delassus: BlockSparse, free: DVector<f64>, friction: Vec<f64>, dimension: usize, name: &str) -> ContactProblemBuilder {

@@ -17,6 +17,7 @@ use super::{ConstraintKind, ContactKey, ContactProblem, Coordinates, Dynamics, P
 use crate::contact::delassus::delassus;
 use crate::files::{read_json, read_object, read_problem, read_schema, schema_of, write_atomically};
 use crate::memory;
+use crate::operator::SparseDynamics;
 use crate::tolerance::problem::DENSE_ROWS;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -145,7 +146,9 @@ fn no_hdf5() -> Error {
 /// M̂ and H row by row, if W follows from them bit for bit.
 fn written(dynamics: Option<&Dynamics>, w: &DMatrix<f64>) -> [Option<MatrixFile>; 2] {
     let follows = |dynamics: &&Dynamics| delassus(&dynamics.mass, &dynamics.jacobian).is_ok_and(|found| found == *w);
-    dynamics.filter(follows).map_or([None, None], |Dynamics { mass, jacobian }| [mass, jacobian].map(|matrix| Some(MatrixFile::dense(matrix))))
+    dynamics
+        .filter(follows)
+        .map_or([None, None], |Dynamics { mass, jacobian }| [mass, jacobian].map(|matrix| Some(MatrixFile::dense(matrix))))
 }
 
 impl ContactProblem {
@@ -197,14 +200,10 @@ impl ContactProblem {
 
     /// The problem as text `contact-problem/1`. Mass and Jacobian are written in place of W if W follows from them bit for bit.
     pub fn to_json(&self) -> String {
-        let listed = self.listed().filter(|_| self.rows() > DENSE_ROWS);
-        let [mass, jacobian] = match (self.delassus().matrix_free(), listed) {
-            (Some(free), _) => by_bodies::written(free).map(Some),
-            (None, Some(listed)) if listed.delassus().is_ok_and(|w| self.delassus().blocks() == Some(&w)) => {
-                listed.triplets().map(|entries| Some(MatrixFile::sparse(entries)))
-            }
-            (None, Some(_)) => [None, None],
-            (None, None) => written(self.dynamics(), self.dense()),
+        let [mass, jacobian] = match self.delassus().matrix_free() {
+            Some(free) => by_bodies::written(free).map(Some),
+            None if self.rows() > DENSE_ROWS && self.delassus().blocks().is_some() => self.written_triplets(),
+            None => written(self.dynamics(), self.dense()),
         };
         let file = ProblemFile {
             schema: PROBLEM_SCHEMA.into(),
@@ -228,6 +227,14 @@ impl ContactProblem {
             provenance: None,
         };
         text(&file)
+    }
+
+    /// M̂ and H entry by entry, if the W by blocks that they are read as is this one bit for bit.
+    fn written_triplets(&self) -> [Option<MatrixFile>; 2] {
+        let Some([mass, jacobian]) = self.triplets() else { return [None, None] };
+        let read = SparseDynamics::new(&mass, &jacobian, self.rows_per_contact()).and_then(|listed| listed.delassus());
+        let follows = read.is_ok_and(|w| self.delassus().blocks() == Some(&w));
+        if follows { [mass, jacobian].map(|entries| Some(MatrixFile::sparse(entries))) } else { [None, None] }
     }
 
     /// Writes the file `contact-problem/1`, completely or not at all.

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::Law;
+use crate::operator::Sparse;
 use crate::tolerance::sharpness::roundings;
 use nalgebra::DMatrix;
 
@@ -111,6 +112,54 @@ fn masses_and_sparse_rows_make_an_operator_that_is_not_formed_and_come_back_bit_
     refused(&BODIES.replace("\"diagonal_blocks\":[[2,0.5,0.5,1],[4]]", "\"rows\":[[2,0,0],[0,1,0],[0,0,4]]"), &["mass", "both"]);
     refused(&BODIES.replace("\"sparse_rows\"", "\"rows\":[],\"sparse_rows\""), &["jacobian", "more than one"]);
     refused(&BODIES.replace("[1,0],\"features\":[3,1]", "[0,null],\"features\":[0,0]"), &["keys[1]"]);
+}
+
+/// A tower of bodies of two velocities, each on the one below, of three contacts each: more rows than make a dense W.
+fn tower(bodies: usize) -> [Sparse; 2] {
+    let entry = |seed: usize| ((seed * 7919 + 13) % 101) as f64 / 37.0 - 1.0;
+    let mass = (0..bodies)
+        .flat_map(|b| [(2 * b, 2 * b, 2.0 + b as f64), (2 * b, 2 * b + 1, 0.5), (2 * b + 1, 2 * b, 0.5), (2 * b + 1, 2 * b + 1, 3.0)]);
+    let mut rows = Vec::new();
+    for row in 0..3 * bodies {
+        let body = row / 3;
+        rows.extend((2 * body.saturating_sub(1)..2 * body + 2).map(|v| (row, v, entry(5 * row + v))));
+    }
+    [Sparse { shape: [2 * bodies; 2], entries: mass.collect() }, Sparse { shape: [3 * bodies, 2 * bodies], entries: rows }]
+}
+
+#[test]
+fn mass_and_jacobian_are_kept_however_they_are_spelled_and_come_back_in_lists_where_w_has_blocks() {
+    let [mass, jacobian] = tower(100);
+    let spelled = |field: &str, of: &Sparse| {
+        let part = |pick: &dyn Fn(&(usize, usize, f64)) -> String| of.entries.iter().map(pick).collect::<Vec<_>>().join(",");
+        let (row, column, value) = (part(&|e| e.0.to_string()), part(&|e| e.1.to_string()), part(&|e| e.2.to_string()));
+        format!(
+            r#""{field}": {{"shape": [{}, {}], "triplets": {{"row": [{row}], "column": [{column}], "value": [{value}]}}}}"#,
+            of.shape[0], of.shape[1]
+        )
+    };
+    let friction = vec!["0"; 300].join(",");
+    let text = format!(
+        r#"{{"schema": "contact-problem/1", "name": "tower", "dimension": 1, "law": "frictionless", "friction": [{friction}],
+            "free_velocity": [{friction}], {}, {}}}"#,
+        spelled("mass", &mass),
+        spelled("jacobian", &jacobian)
+    );
+    let problem = ContactProblem::from_json(&text).unwrap();
+    assert!(problem.delassus().blocks().is_some());
+    let known = Dynamics { mass: mass.to_dense(), jacobian: jacobian.to_dense() };
+    assert_eq!(problem.dynamics(), Some(&known));
+    let written = problem.to_json();
+    assert!(written.contains("triplets") && !written.contains("delassus"));
+    assert_eq!(ContactProblem::from_json(&written).unwrap(), problem);
+    // row by row they make the same W to rounding, and are the same
+    let rows = ContactProblem::from_dynamics(known.mass.clone(), known.jacobian.clone(), &DVector::zeros(200)).rows_per_contact(1);
+    let rows = rows.law(Law::Frictionless).friction(vec![0.0; 300]).build().unwrap();
+    assert_eq!(rows.dynamics(), problem.dynamics());
+    assert!((rows.dense() - problem.dense()).amax() <= moreau_exact::tolerance::rounding(16, rows.dense().amax()));
+    // another W is written itself
+    let other = problem.clone().into_builder().delassus(problem.dense() * 2.0).build().unwrap();
+    assert!(other.to_json().contains("delassus"));
 }
 
 #[test]

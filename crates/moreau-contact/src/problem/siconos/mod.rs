@@ -11,7 +11,6 @@
 //! The printing routines of Siconos 4 (`frictionContact_printInFile`, `globalFrictionContact_printInFile`, `NM_write_in_file`), as the
 //! files show them.
 
-use super::contact_problem::Known;
 use super::{ContactProblem, ContactProblemBuilder, Law};
 use crate::operator::{Operator, SparseDynamics};
 use matrix::Matrix;
@@ -68,7 +67,7 @@ fn friction(tokens: &mut Tokens, name: &str) -> Result<ContactProblem> {
     let mechanism = SparseDynamics::new(&first.into_sparse(), &jacobian.into_sparse().transposed(), dimension)?;
     let free = mechanism.contact_velocity(&mechanism.solve(&force)) + added;
     let delassus = mechanism.delassus()?;
-    begun(delassus.into(), free, dimension, friction, name).known(Some(Known::listed(mechanism))).build()
+    begun(delassus.into(), free, dimension, friction, name).sparse_dynamics(mechanism).build()
 }
 
 /// Whether what follows the first matrix is another one: a local problem has q and μ left, and perhaps a mark.

@@ -4,8 +4,9 @@
 use super::super::ClarabelPolished;
 use super::super::watch;
 use super::super::{
-    AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, ConvexSubproblems, Enumeration, GaussNewton, InteriorPoint, LemkePivoting, NewtonMin,
-    NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation, ProximalNewton, compliance,
+    AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, ConvexSubproblems, Enumeration, GaussNewton, InteriorPoint,
+    LemkePivoting, NewtonMin, NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation, ProximalNewton,
+    compliance,
 };
 use super::{fewer_contacts, smoothing};
 use crate::certificate::Judge;
