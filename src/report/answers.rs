@@ -45,6 +45,8 @@ pub struct AnswerLine {
 
 /// The status of a problem whose file, or whose answer's file, cannot be used.
 const BAD_INPUT: &str = "bad-input";
+/// Columns of the text for the name of a solver.
+const WIDEST: usize = 24;
 
 impl AnswerLine {
     /// A problem that cannot be read, or an answer that is missing or does not fit it.
@@ -73,6 +75,14 @@ impl AnswerLine {
         }
     }
 
+    /// Who proposed the answer, in the column of the text: an answer by hand may name a whole sentence.
+    fn shown_solver(&self) -> String {
+        match self.solver.as_deref().unwrap_or("-") {
+            long if long.chars().count() > WIDEST => long.chars().take(WIDEST - 1).chain(['…']).collect(),
+            short => short.into(),
+        }
+    }
+
     /// The end of its line.
     fn end(&self) -> String {
         match (self.solution, self.status, &self.reason) {
@@ -98,16 +108,16 @@ impl Answers {
 
     /// For reading.
     pub fn text(&self) -> String {
-        let longest = |heading: &str, of: fn(&AnswerLine) -> &str| {
+        let longest = |heading: &str, of: fn(&AnswerLine) -> String| {
             self.problems.iter().map(|line| of(line).chars().count()).chain([heading.len()]).max().unwrap_or(0)
         };
-        let width = longest("problem", |line| &line.problem);
-        let solvers = longest("solver", |line| line.solver.as_deref().unwrap_or("-"));
+        let width = longest("problem", |line| line.problem.clone());
+        let solvers = longest("solver", AnswerLine::shown_solver);
         let mut text = format!("{:width$} {:>8} {:solvers$} {:>10}\n", "problem", "contacts", "solver", "residual");
         for line in &self.problems {
             let contacts = line.contacts.map_or("-".into(), |contacts| contacts.to_string());
             let relative = line.relative.map_or("-".into(), |relative| format!("{relative:.1e}"));
-            let (problem, solver, end) = (&line.problem, line.solver.as_deref().unwrap_or("-"), line.end());
+            let (problem, solver, end) = (&line.problem, line.shown_solver(), line.end());
             let _ = writeln!(text, "{problem:width$} {contacts:>8} {solver:solvers$} {relative:>10}  {end}");
         }
         let solved = self.problems.iter().filter(|line| line.solution).count();
@@ -128,20 +138,22 @@ mod tests {
     #[test]
     fn every_problem_has_its_line_and_the_last_one_counts() {
         let solved = AnswerLine { problem: "a.json".into(), status: "solved", contacts: Some(3), solution: true, ..Default::default() };
-        let solved = AnswerLine { solver: Some("auto".into()), relative: Some(1.25e-9), ..solved };
+        let solved = AnswerLine { solver: Some("auto".into()), relative: Some(1.5e-9), ..solved };
         let ray = Error::ray("lemke", "ended on a ray");
         let none = AnswerLine::without_answer("long.json".into(), 2, &NoAnswer::of(&ray).unwrap(), "ended on a ray".into());
         let bad = AnswerLine::bad_input("c.dat".into(), None, "cannot be read: no such file".into());
         let answers = Answers { tolerance: 1e-8, problems: vec![solved.clone(), none, bad] };
         let lines = [
             "problem   contacts solver   residual",
-            "a.json           3 auto      1.2e-9  solved",
-            "long.json        2 lemke          -  not solved: ended on a ray",
-            "c.dat            - -              -  cannot be read: no such file",
+            "a.json           3 auto       1.5e-9  solved",
+            "long.json        2 lemke           -  not solved: ended on a ray",
+            "c.dat            - -               -  cannot be read: no such file",
             "1 of 3 solved, 1 cannot be used",
         ];
         assert_eq!(answers.text().lines().collect::<Vec<_>>(), lines);
         assert!(!answers.all_solved() && answers.refused() == 1);
+        let by_hand = AnswerLine { solver: Some("written down by hand, µ times it".into()), ..solved.clone() };
+        assert!(Answers { tolerance: 1e-8, problems: vec![by_hand] }.text().contains(" written down by hand, µ…     1.5e-9  solved"));
         let alone = Answers { tolerance: 1e-8, problems: vec![solved] };
         assert!(alone.all_solved() && alone.refused() == 0 && alone.text().ends_with("1 of 1 solved\n"));
     }
