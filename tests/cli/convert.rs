@@ -102,7 +102,8 @@ fn an_answer_that_does_not_fit_is_refused_and_one_that_is_no_solution_is_told() 
 #[test]
 fn what_is_not_kept_is_told_in_a_line() {
     let folder = Folder::new("convert-dropped");
-    let rich = r#"{"schema": "contact-problem/1", "name": "block", "dimension": 3, "law": "coulomb", "friction": [0.5], "bodies": [[0, null]],
+    let rich = r#"{"schema": "contact-problem/1", "name": "block", "dimension": 3, "law": "coulomb",
+      "friction": [0.5], "bodies": [[0, null]],
       "keys": [{"bodies": [0, null], "features": [0, 0]}], "free_velocity": [-1, 2, 0], "provenance": {"by": "hand"},
       "mass": {"shape": [3, 3], "rows": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]},
       "jacobian": {"shape": [3, 3], "rows": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}}"#;
