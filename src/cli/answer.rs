@@ -19,6 +19,8 @@ pub enum Answer {
     Yes,
     /// Exit code 1.
     No,
+    /// Exit code 2: some of the input could not be used, and the rest was answered.
+    BadInput,
     /// Exit code 3: the engine could not be run.
     CannotRun,
 }

@@ -5,18 +5,18 @@ use super::output::print;
 use super::posed::{self, answer_of};
 use super::problem_law::LawOption;
 use super::solver_options::ToleranceOption;
-use super::{Answer, Format, progress, solver_table};
+use super::{Answer, Format, progress, several, solver_table};
 use crate::files::write_atomically;
 use crate::number::significant;
 use crate::problem::{Posed, Solution};
-use crate::report::bench::{Bench, FACTORS, Run};
+use crate::report::bench::{Bench, FACTORS, Refused, Run};
 use crate::report::json::pretty;
 use crate::solvers::ContactSolver;
 use crate::solvers::watch::watched;
 use crate::tolerance::bench::SHIFT;
 use crate::{Error, Result};
 use indicatif::ProgressBar;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 /// Time solvers on contact problems, each time beside the certified residual of its answer.
@@ -56,7 +56,7 @@ Examples:
   moreau bench problems/ --law associated --tolerance 1e-12 --answers answers/
 
 Exit code 0: every problem was solved by some solver, or has no solution, as is proved; 1: some was not solved; 2: a file
-cannot be read.";
+cannot be read, or a solver cannot be asked about it; the others are measured all the same.";
 
 /// What the columns and the lines below them are.
 fn explained() -> String {
@@ -71,7 +71,7 @@ A line per problem and solver:
   ρ = 1       ‖r − P_K(r − ŷ)‖/‖q‖ with ρ = 1 kg and q = u_free + shift, the number other collections compare; it decides nothing, and
               polyhedral laws have none
   iterations  sweeps, steps or pivots of that solve
-In place of the numbers stands why there is no answer; `not solved` is an answer that the certificate rejects; `no solution, as is
+Below the others stand files that cannot be used, with the reason. In place of the numbers stands why there is no answer; `not solved` is an answer that the certificate rejects; `no solution, as is
 proved` that the problem has none, so that no answer is the right one, and it counts neither as solved nor as not.
 
 A line per solver, below:
@@ -83,9 +83,6 @@ A line per solver, below:
                             fastest; at the largest τ: how many it solves at all. With one solver every number is the part that it solved"
     )
 }
-
-/// The ends of files that hold problems.
-const ENDS: [&str; 4] = ["json", "dat", "hdf5", "h5"];
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
@@ -106,76 +103,83 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     }
     let named = |name: &String| arguments.tolerance.solver(name, None);
     let solvers: Vec<Box<dyn ContactSolver>> = arguments.solver.iter().map(named).collect::<Result<_>>()?;
-    let files = files(&arguments.problems)?;
+    let files = several::files(&arguments.problems)?;
+    arguments.answers.as_deref().map_or(Ok(()), |folder| several::make_folder("--answers", folder))?;
     let bar = progress::parts(files.len() * solvers.len(), "solves");
-    let runs = progress::shown(&bar, || timed(&files, &solvers, arguments, &bar))?;
-    let bench = Bench::new(arguments.tolerance.accepted(), runs);
+    let mut all = progress::shown(&bar, || timed(&files, &solvers, arguments, &bar))?;
+    if all.runs.is_empty() && all.failed.len() == 1 {
+        // nothing else is lost with it
+        return Err(all.failed.remove(0).error);
+    }
+    let refused = all.failed.iter().map(Failed::told).collect();
+    let bench = Bench::new(arguments.tolerance.accepted(), all.runs).with_refused(refused);
     print(&match arguments.common.format {
         Format::Text => bench.text(),
         Format::Json => pretty(&bench)?,
     })?;
+    let refused = bench.refused_problems();
+    if refused > 0 {
+        several::tell_refused(refused, files.len());
+        return Ok(Answer::BadInput);
+    }
     Ok(bench.all_solved().into())
 }
 
+/// What was measured, and what could not be.
+#[derive(Default)]
+struct Timed {
+    runs: Vec<Run>,
+    failed: Vec<Failed>,
+}
+
+/// A file that could not be read, or a solver that could not be asked about it.
+struct Failed {
+    problem: String,
+    solver: Option<String>,
+    error: Error,
+}
+
+impl Failed {
+    fn told(&self) -> Refused {
+        Refused { problem: self.problem.clone(), solver: self.solver.clone(), reason: several::reason(&self.error) }
+    }
+}
+
 /// Every solver on every problem.
-fn timed(files: &[PathBuf], solvers: &[Box<dyn ContactSolver>], arguments: &Arguments, bar: &ProgressBar) -> Result<Vec<Run>> {
-    let mut runs: Vec<Run> = Vec::new();
+fn timed(files: &[PathBuf], solvers: &[Box<dyn ContactSolver>], arguments: &Arguments, bar: &ProgressBar) -> Result<Timed> {
+    let mut all = Timed::default();
     for file in files {
-        let problem = arguments.law.pose(Posed::read(file)?)?;
-        let (name, first) = (file.file_name().unwrap_or_default().to_string_lossy().into_owned(), runs.len());
+        let (name, first) = (several::name(file), all.runs.len());
+        let problem = match Posed::read(file).and_then(|posed| arguments.law.pose(posed)) {
+            Ok(problem) => problem,
+            Err(error) => {
+                all.failed.push(Failed { problem: name, solver: None, error });
+                bar.inc(solvers.len() as u64);
+                continue;
+            }
+        };
         for solver in solvers {
             bar.set_message(format!(", {name}, {}", solver.name()));
-            runs.push(measured(&problem, &name, solver.as_ref(), arguments)?);
+            match measured(&problem, &name, solver.as_ref(), arguments) {
+                Ok((run, solution)) => all.runs.push(kept(run, solution, &problem, arguments)?),
+                Err(error) => {
+                    let error = error.in_file(file);
+                    all.failed.push(Failed { problem: name.clone(), solver: Some(solver.name().into()), error })
+                }
+            }
             bar.inc(1);
         }
         // where nobody found a solution there may be none: then that is the right answer
-        let own = &mut runs[first..];
-        if !own.iter().any(|run| run.solved) && posed::refuted(&problem).is_some() {
+        let own = &mut all.runs[first..];
+        if !own.is_empty() && !own.iter().any(|run| run.solved) && posed::refuted(&problem).is_some() {
             own.iter_mut().for_each(|run| run.without_solution = true);
         }
     }
-    Ok(runs)
+    Ok(all)
 }
 
-/// The files given, and those of problems in the folders given, in order.
-fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>> {
-    let mut found = Vec::new();
-    for path in given {
-        if !path.is_dir() {
-            found.push(path.clone());
-            continue;
-        }
-        let failed = |source| Error::Read { file: path.clone(), source };
-        let entries: Vec<PathBuf> = std::fs::read_dir(path)
-            .map_err(failed)?
-            .map(|entry| entry.map(|entry| entry.path()))
-            .collect::<std::io::Result<_>>()
-            .map_err(failed)?;
-        let ends = |file: &Path| file.extension().is_some_and(|end| ENDS.iter().any(|known| end == *known));
-        let is_problem = |file: &Path| ends(file) && !is_answer(file);
-        let mut problems: Vec<PathBuf> = entries.into_iter().filter(|file| is_problem(file)).collect();
-        if problems.is_empty() {
-            let cure = format!("give a folder with files that end in {}", ENDS.join(", "));
-            return Err(Error::invalid("PROBLEMS", format!("has none in the folder {}", path.display()), cure));
-        }
-        problems.sort();
-        found.extend(problems);
-    }
-    Ok(found)
-}
-
-/// Whether a file of a folder is an answer, as `moreau problems export` puts beside its problem.
-fn is_answer(file: &Path) -> bool {
-    #[derive(serde::Deserialize)]
-    struct Head {
-        schema: Option<String>,
-    }
-    let text = || std::fs::read_to_string(file).ok();
-    let head = || serde_json::from_str::<Head>(&text()?).ok();
-    file.extension().is_some_and(|end| end == "json") && head().is_some_and(|head| head.schema.as_deref() == Some("solution/1"))
-}
-
-fn measured(problem: &Posed, name: &str, solver: &dyn ContactSolver, arguments: &Arguments) -> Result<Run> {
+/// One solver on one problem, with the answer where there is one.
+fn measured(problem: &Posed, name: &str, solver: &dyn ContactSolver, arguments: &Arguments) -> Result<(Run, Option<Solution>)> {
     let (begun, mut repeats, mut seconds, mut reproducible) = (Instant::now(), 0, f64::INFINITY, true);
     let answer = loop {
         let start = Instant::now();
@@ -210,14 +214,19 @@ fn measured(problem: &Posed, name: &str, solver: &dyn ContactSolver, arguments: 
         failure: None,
     };
     match answer {
-        Ok(solution) => judge(problem, &solution, arguments, &mut run)?,
-        Err(error @ Error::Solver { .. }) => run.failure = Some(posed::with_cure(error, problem).to_string()),
-        Err(error) => return Err(error),
+        Ok(solution) => {
+            judge(problem, &solution, arguments, &mut run)?;
+            Ok((run, Some(solution)))
+        }
+        Err(error @ Error::Solver { .. }) => {
+            run.failure = Some(posed::with_cure(error, problem).to_string());
+            Ok((run, None))
+        }
+        Err(error) => Err(error),
     }
-    Ok(run)
 }
 
-/// What the certificate says of the answer, and the answer itself where it is kept.
+/// What the certificate says of the answer.
 fn judge(problem: &Posed, solution: &Solution, arguments: &Arguments, run: &mut Run) -> Result<()> {
     let start = Instant::now();
     let judged = posed::judge(problem, solution)?;
@@ -226,11 +235,15 @@ fn judge(problem: &Posed, solution: &Solution, arguments: &Arguments, run: &mut 
     run.relative = Some(judged.relative());
     run.natural_map_one = posed::natural_map(problem, solution);
     run.solved = judged.is_solution(arguments.tolerance.accepted());
-    if let Some(folder) = &arguments.answers {
-        std::fs::create_dir_all(folder).map_err(|source| Error::Write { file: folder.clone(), source })?;
+    Ok(())
+}
+
+/// The run with its answer in the folder of answers, where there is such a folder.
+fn kept(mut run: Run, solution: Option<Solution>, problem: &Posed, arguments: &Arguments) -> Result<Run> {
+    if let (Some(folder), Some(solution)) = (&arguments.answers, solution) {
         let name = format!("{}.{}.json", run.problem, run.solver);
         write_atomically(&folder.join(&name), solution.to_json(Some(posed::name(problem)), None).as_bytes())?;
         run.answer = Some(name);
     }
-    Ok(())
+    Ok(run)
 }

@@ -1,6 +1,6 @@
 //! What a file is, so that a message can say what was mistaken for what.
 
-use crate::problem::{Law, Posed};
+use crate::problem::{Law, Posed, Solution};
 use crate::{Error, Result};
 use serde::Deserialize;
 use std::io::Read;
@@ -98,6 +98,20 @@ pub fn read_problem(file: &Path, usage: &str) -> Result<Posed> {
         kind if kind.is_answer() => {
             let problem = format!("is {}, which is {}, an answer and no problem", file.display(), kind.words());
             Error::invalid("PROBLEM", problem, format!("give the problem that it answers: {usage}"))
+        }
+        _ => error,
+    })
+}
+
+/// The answer to a problem that a file holds; where it is a problem, the error says so.
+///
+/// # Errors
+/// Those of [`Solution::read_posed`], and [`Error::Invalid`] where the file holds a problem.
+pub fn read_solution(file: &Path, posed: &Posed, usage: &str) -> Result<Solution> {
+    Solution::read_posed(file, posed).map_err(|error| match Kind::of(file) {
+        kind if kind.is_problem() => {
+            let found = format!("is {}, which is {}, a problem and no answer", file.display(), kind.words());
+            Error::invalid("SOLUTION", found, format!("give a solution/1: {usage}"))
         }
         _ => error,
     })

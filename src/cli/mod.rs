@@ -1,7 +1,7 @@
 //! The command line: one file per subcommand.
 //!
-//! Exit codes: 0 the answer is yes, 1 the answer is no, 2 the question could not be understood (and nothing was written),
-//! 3 the engine to be judged could not be run.
+//! Exit codes: 0 the answer is yes, 1 the answer is no, 2 the question could not be understood (and nothing was written; of
+//! several files the others are answered), 3 the engine to be judged could not be run.
 
 mod answer;
 mod asked;
@@ -41,6 +41,7 @@ mod schema;
 mod scheme_options;
 mod scoreboard;
 mod section;
+mod several;
 mod simulate;
 mod solve;
 mod solver_options;
@@ -75,6 +76,7 @@ What do you want to do?
     moreau new problem --out problem.json         a file to begin with
     moreau solve problem.json --out answer.json
     moreau certify problem.json answer.json       residuals with units: is it a solution?
+    moreau solve problems/ --out answers/         every problem of a folder; certify takes the two folders
   See how a scene moves under a scheme, and under others beside it
     moreau simulate --scene bouncing-ball --step 0.01 --plot ball.svg
     moreau compare bouncing-ball --step 0.01 --plot schemes.svg
@@ -89,7 +91,8 @@ What do you want to do?
 Exit codes:
   0  the answer is yes: every verdict is supported, the answer is a solution
   1  the answer is no
-  2  bad input: one message names the file and the field, and nothing is written
+  2  bad input: one message names the file and the field, and nothing is written;
+     of several files the others are answered all the same
   3  the engine to be judged could not be run";
 
 #[derive(Subcommand)]
@@ -158,6 +161,7 @@ fn exit_code(answer: Result<Answer>) -> u8 {
     match answer {
         Ok(Answer::Yes) => 0,
         Ok(Answer::No) => 1,
+        Ok(Answer::BadInput) => 2,
         Ok(Answer::CannotRun) => gate::CANNOT_RUN,
         Err(error) => {
             output::print_aside(&format!("error: {error}\n"));

@@ -109,6 +109,12 @@ pub fn is_doubtful(residuals: &JointedResiduals) -> bool {
     residuals.contacts.judged.loaded > LOADED
 }
 
+/// The certificate, which rejects an answer that it would accept with doubt where it is proved that there is no solution.
+pub fn doubted<'a>(certificate: Certificate<'a>, posed: &Posed, residuals: &JointedResiduals) -> Certificate<'a> {
+    let doubtful = certificate.accepts() && is_doubtful(residuals);
+    if doubtful { certificate.with_no_solution(refuted(posed)) } else { certificate }
+}
+
 /// That there is no solution, where that is proved: by a witness, or by all patterns of few contacts.
 pub fn refuted(posed: &Posed) -> Option<String> {
     match posed {

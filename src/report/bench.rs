@@ -10,6 +10,7 @@ use super::profile::{Cost, within};
 use crate::tolerance::bench::{MILLISECOND, SHIFT};
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// The factors τ of the profile.
@@ -24,6 +25,21 @@ pub struct Bench {
     pub runs: Vec<Run>,
     /// One line per solver.
     pub solvers: Vec<Summary>,
+    /// The problems that could not be read, and those that a solver could not be asked about; absent where there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub refused: Vec<Refused>,
+}
+
+/// A problem that could not be measured; it counts for no solver.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Refused {
+    /// The file.
+    pub problem: String,
+    /// The solver that was asked; absent where the problem itself is refused.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub solver: Option<String>,
+    /// What is wrong with it.
+    pub reason: String,
 }
 
 /// One solver on one problem.
@@ -90,7 +106,17 @@ impl Bench {
             }
         }
         let solvers = names.iter().map(|name| summary(name, &runs)).collect();
-        Bench { tolerance, runs, solvers }
+        Bench { tolerance, runs, solvers, refused: Vec::new() }
+    }
+
+    /// The same with what could not be measured.
+    pub fn with_refused(self, refused: Vec<Refused>) -> Self {
+        Bench { refused, ..self }
+    }
+
+    /// How many problems could not be measured with every solver.
+    pub fn refused_problems(&self) -> usize {
+        self.refused.iter().map(|one| one.problem.as_str()).collect::<BTreeSet<_>>().len()
     }
 
     /// Whether every problem was solved by some solver, or has no solution.
@@ -101,7 +127,8 @@ impl Bench {
 
     /// For reading.
     pub fn text(&self) -> String {
-        let width = self.runs.iter().map(|run| run.problem.chars().count()).max().unwrap_or(0).max("problem".len());
+        let problems = self.runs.iter().map(|run| &run.problem).chain(self.refused.iter().map(|one| &one.problem));
+        let width = problems.map(|problem| problem.chars().count()).max().unwrap_or(0).max("problem".len());
         let heads = ["contacts", "solver", "time", "residual", "ρ = 1", "iterations"];
         let mut text = format!(
             "{:width$} {:>8} {:18} {:>11} {:>10} {:>10} {:>10}\n",
@@ -126,6 +153,9 @@ impl Bench {
             let end = if run.without_solution { format!("{end}  no solution, as is proved") } else { end };
             let (problem, contacts, solver) = (&run.problem, run.contacts, &run.solver);
             let _ = writeln!(text, "{problem:width$} {contacts:>8} {solver:18} {:>11} {end}", time(run.seconds));
+        }
+        for Refused { problem, solver, reason } in &self.refused {
+            let _ = writeln!(text, "{problem:width$} {:>8} {:18} {:>11} {reason}", "-", solver.as_deref().unwrap_or("-"), "-");
         }
         for one in &self.solvers {
             let mean = one.mean_seconds.map_or("no answer".into(), |mean| format!("shifted geometric mean {}", time(mean)));

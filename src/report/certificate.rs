@@ -295,6 +295,21 @@ impl<'a> Certificate<'a> {
         self.solution
     }
 
+    /// `solved`, or why not.
+    pub fn status(&self) -> &'static str {
+        self.status
+    }
+
+    /// Who proposed the answer; empty where nobody is named.
+    pub fn solver(&self) -> &str {
+        self.solver
+    }
+
+    /// Why the problem has no solution, where that is proved.
+    pub fn no_solution(&self) -> Option<&str> {
+        self.no_solution.as_deref()
+    }
+
     /// The certificate for readers.
     pub fn text(&self) -> String {
         let solver = if self.solver.is_empty() { "not named" } else { self.solver };

@@ -29,6 +29,16 @@ impl<'a> NoAnswer<'a> {
         }
     }
 
+    /// How it ended.
+    pub fn status(&self) -> &'static str {
+        self.status
+    }
+
+    /// The name of the solver.
+    pub fn solver(&self) -> &'a str {
+        self.solver
+    }
+
     /// The same with a proof that the problem has no solution.
     pub fn with_proof(self, no_solution: Option<String>) -> Self {
         let status = if no_solution.is_some() { "infeasible" } else { self.status };

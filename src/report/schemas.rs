@@ -2,6 +2,7 @@
 //!
 //! A schema says which fields there are and of what kind; sizes that must agree, unit lengths and the like are checked by the readers.
 
+use super::answers::Answers;
 use super::bench::Bench;
 use super::certificate::Certificate;
 use super::comparison::Comparison;
@@ -35,7 +36,7 @@ pub struct Format {
 }
 
 /// Every message and file format.
-pub const FORMATS: [Format; 28] = [
+pub const FORMATS: [Format; 29] = [
     Format { name: "request", about: "a line from the gate to an engine", generate: written::<Request> },
     Format { name: "reply", about: "the line that answers it", generate: read::<ReplyForm> },
     Format { name: "description", about: "the result of `describe`", generate: read::<Description> },
@@ -53,6 +54,7 @@ pub const FORMATS: [Format; 28] = [
         about: "what `moreau certify` and `moreau solve --out FILE` write, and `solve` on standard error",
         generate: written::<Certificate>,
     },
+    Format { name: "answers", about: "what `moreau solve FOLDER` and `moreau certify FOLDER` write", generate: written::<Answers> },
     Format { name: "no-answer", about: "what `solve` and `simulate` write where a solver gave no answer", generate: written::<NoAnswer> },
     Format {
         name: "lcp-count",

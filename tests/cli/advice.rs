@@ -159,8 +159,8 @@ fn what_is_no_problem_is_told_by_what_it_is() {
     solve("broken.hdf5", "garbage").is_refused(&["broken.hdf5", "`HDF5`", "FCLIB"]);
     solve("two.json", &PROBLEM.replace("[0.5]", "[0.5, 0.5]")).is_refused(&["`friction`: has size 2; give 1"]);
     let place = folder.path("");
-    moreau(&["solve", &place]).is_refused(&["PROBLEM", "a folder", "moreau bench"]);
-    moreau(&["certify", &place, "answer.json"]).is_refused(&["PROBLEM", "a folder"]);
+    moreau(&["solve", &place]).is_refused(&["--out", "a folder"]);
+    moreau(&["certify", &place, "answer.json"]).is_refused(&["SOLUTION", "no folder"]);
     moreau(&["certify", &folder.file("problem.json", PROBLEM), &place]).is_refused(&["a folder", "give a file in it"]);
     moreau(&["problems", "measure", &place]).is_refused(&["a folder", "give a file in it"]);
     for solver in ["auto", "pgs"] {

@@ -6,10 +6,10 @@ use moreau::problem::ContactProblem;
 use moreau::solvers::{Auto, ContactSolver};
 
 /// One spatial contact of Siconos's kind, W dense: it sticks.
-const DAT: &str = "3\n1\n0\n3\n3\n3\t3\n2 0 0\n0 1 0\n0 0 1\n-1 0.125 0\n0.5\n";
-const LCP: &str = r#"{"schema": "lcp/1", "name": "two", "matrix": {"shape": [2, 2], "rows": [[2, 1], [0, 1]]}, "vector": [-1, 2]}"#;
+pub const DAT: &str = "3\n1\n0\n3\n3\n3\t3\n2 0 0\n0 1 0\n0 0 1\n-1 0.125 0\n0.5\n";
+pub const LCP: &str = r#"{"schema": "lcp/1", "name": "two", "matrix": {"shape": [2, 2], "rows": [[2, 1], [0, 1]]}, "vector": [-1, 2]}"#;
 
-fn spatial() -> ContactProblem {
+pub fn spatial() -> ContactProblem {
     ContactProblem::new(DMatrix::identity(3, 3), dvector![-1.0, 2.0, 0.0]).friction(vec![0.5]).build().unwrap()
 }
 
@@ -104,22 +104,6 @@ fn a_proof_tells_how_far_the_problem_is_that_a_wrong_answer_solves() {
 }
 
 #[test]
-fn a_converted_problem_is_the_same_number_for_number() {
-    let folder = Folder::new("convert");
-    let dat = folder.file("b.dat", DAT);
-    let [json, hdf5, back] = ["b.json", "b.hdf5", "back.json"].map(|name| folder.path(name));
-    for (from, to) in [(&dat, &json), (&json, &hdf5), (&hdf5, &back)] {
-        assert_eq!(moreau(&["convert", from, "--out", to]).code, 0, "{from} to {to}");
-    }
-    let [first, last] = [&json, &back].map(|file| ContactProblem::read(std::path::Path::new(file)).unwrap());
-    assert_eq!((first.dense(), first.free_velocity(), first.friction()), (last.dense(), last.free_velocity(), last.friction()));
-    assert_eq!(moreau(&["convert", &dat]).json()["law"], "coulomb");
-    assert_eq!(moreau(&["convert", &dat, "--law", "associated"]).json()["law"], "associated");
-    moreau(&["convert", &dat, "--out", &folder.path("b.xml")]).is_refused(&["--out", ".json"]);
-    moreau(&["convert", &dat, "--out", &dat]).is_refused(&["--out"]);
-}
-
-#[test]
 fn answers_are_kept_counts_are_kept_and_the_law_can_be_another() {
     let folder = Folder::new("bench-answers");
     let (problem, answers) = (folder.file("b.dat", DAT), folder.path("answers"));
@@ -158,4 +142,52 @@ fn a_bench_of_nothing_and_a_solver_twice_are_refused() {
     let problem = folder.file("a.json", PROBLEM);
     moreau(&["bench", &problem, "--solves", "0"]).is_refused(&["`--solves`: is 0", "from 1"]);
     moreau(&["bench", &problem, "--solver", "pgs", "--solver", "auto", "--solver", "pgs"]).is_refused(&["`--solver`", "`pgs` twice"]);
+}
+
+#[test]
+fn a_file_that_cannot_be_read_and_one_that_errs_do_not_lose_the_others() {
+    let folder = Folder::new("bench-broken");
+    folder.file("a.json", PROBLEM);
+    folder.file("b.dat", &DAT[..20]);
+    folder.file("c.json", LCP);
+    // read, but its joints contradict each other, which is told when it is solved
+    folder.file("d.json", &super::joints::contradicting());
+    let words = ["bench", &folder.path("."), "--repeat", "0", "--solver", "auto", "--solver", "pgs"];
+    let run = moreau(&words);
+    assert_eq!(run.code, 2, "{}{}", run.output, run.message);
+    assert!(run.message.starts_with("error: 2 of 4 problems") && run.message.lines().count() == 1, "{}", run.message);
+    let line = |start: &str| run.output.lines().find(|line| line.starts_with(start)).unwrap_or_default();
+    assert!(line("b.dat").contains("W, line") && !line("b.dat").contains(&folder.path("")), "{}", run.output);
+    assert!(line("d.json").contains("auto") && line("d.json").contains("contradicts"), "{}", run.output);
+    assert!(line("auto:").contains("2 of 2 solved") && line("a.json").split_whitespace().nth(2) == Some("auto"), "{}", run.output);
+    let json = moreau(&[&words[..], &["--format", "json"]].concat());
+    assert_eq!(json.code, 2);
+    let report = json.json();
+    let named = |list: &str| -> Vec<String> {
+        let lines = report[list].as_array().expect("a list").iter();
+        lines.map(|line| format!("{} {}", line["problem"].as_str().expect("a name"), line["solver"].as_str().unwrap_or("-"))).collect()
+    };
+    assert_eq!(named("runs"), ["a.json auto", "a.json pgs", "c.json auto", "c.json pgs"]);
+    assert_eq!(named("refused"), ["b.dat -", "d.json auto", "d.json pgs"]);
+    super::schema::is_as("bench", &report, "/refused/0/reason", 7.into());
+    // without them the code is that of the others, and nothing is said of refusals
+    for name in ["b.dat", "d.json"] {
+        std::fs::remove_file(folder.path(name)).expect("it is there");
+    }
+    let sound = moreau(&[&words[..], &["--format", "json"]].concat());
+    assert_eq!((sound.code, sound.message.as_str(), sound.json().get("refused")), (0, "", None));
+}
+
+#[test]
+fn answers_go_into_a_folder_and_a_file_in_its_place_is_named_before_anything_is_timed() {
+    let folder = Folder::new("bench-answers-file");
+    let (problem, file) = (folder.file("a.json", PROBLEM), folder.file("there.txt", "kept"));
+    moreau(&["bench", &problem, "--repeat", "0", "--answers", &file]).is_refused(&[
+        "`--answers`",
+        "there.txt, which is a file",
+        "a folder",
+    ]);
+    assert_eq!(std::fs::read_to_string(&file).expect("a file"), "kept");
+    assert_eq!(moreau(&["bench", &problem, "--repeat", "0", "--answers", &folder.path("new/one")]).code, 0);
+    assert!(std::path::Path::new(&folder.path("new/one/a.json.auto.json")).is_file());
 }

@@ -14,6 +14,11 @@ const SLIDER: &str = r#"{"schema": "contact-problem/1", "name": "slider", "dimen
   "jacobian": {"shape": [7, 6], "sparse_rows": {"starts": [0, 1, 2, 3, 4, 5, 6, 7], "column": [0, 1, 2, 3, 4, 5, 5],
     "value": [1, 1, 1, 1, 1, 1, 1]}}}"#;
 
+/// The slider with pins that contradict each other: it is read, and refused when it is solved.
+pub fn contradicting() -> String {
+    SLIDER.replace("1, 2, 2]", "1, 2, 3]")
+}
+
 fn numbers(value: &serde_json::Value) -> Vec<f64> {
     value.as_array().expect("a list").iter().map(|number| number.as_f64().expect("a number")).collect()
 }
@@ -71,8 +76,7 @@ fn what_is_not_done_with_joints_is_refused_by_name() {
     moreau(&["certify", &block, &answer]).is_refused(&["answer.json", "problem"]);
     let rolling = PROBLEM.replace("\"dimension\": 2", "\"dimension\": 4");
     moreau(&["solve", &folder.file("rolling.json", &rolling)]).is_refused(&["dimension", "rolling and drilling", "bilateral"]);
-    let contradicting = SLIDER.replace("1, 2, 2]", "1, 2, 3]");
-    moreau(&["solve", &folder.file("contradicting.json", &contradicting)]).is_refused(&["kinds[", "contradicts"]);
+    moreau(&["solve", &folder.file("contradicting.json", &contradicting())]).is_refused(&["kinds[", "contradicts"]);
     let refused = moreau(&["solve", &folder.file("slider.json", SLIDER), "--solver", "lemke"]);
     assert!(refused.code == 1 && refused.message.contains("use `auto`, `pgs`"), "{}", refused.message);
 }

@@ -66,7 +66,7 @@ fn what_verify_exports_is_as_its_schema_says() {
 
 /// That the output of a command is as a schema says, and that it is not once the value at a place is another one.
 #[track_caller]
-fn is_as(name: &str, written: &serde_json::Value, place: &str, wrong: serde_json::Value) {
+pub fn is_as(name: &str, written: &serde_json::Value, place: &str, wrong: serde_json::Value) {
     let validator = jsonschema::validator_for(&moreau(&["schema", name]).json()).expect("a schema");
     let errors: Vec<String> = validator.iter_errors(written).map(|error| format!("{}: {error}", error.instance_path())).collect();
     assert!(errors.is_empty(), "{name}: {errors:?}");

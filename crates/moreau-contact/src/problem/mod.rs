@@ -22,6 +22,8 @@ pub mod stewart_trinkle;
 pub use carried::carried;
 pub use contact_problem::{Compliance, ContactProblem, ContactProblemBuilder, Coordinates, Dynamics};
 pub(crate) use contact_problem::{Weights, island_rows};
+#[cfg(feature = "fclib")]
+pub use fclib::StoredAnswers;
 pub(crate) use jointed::ByRows;
 pub use jointed::{ConstraintKind, JointedProblem};
 #[cfg(feature = "files")]

@@ -22,7 +22,10 @@ use std::path::Path;
 mod datasets;
 mod joints;
 mod matrix;
+mod stored;
 mod write;
+
+pub use stored::StoredAnswers;
 
 #[cfg(test)]
 mod tests;

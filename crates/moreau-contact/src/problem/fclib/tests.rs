@@ -110,6 +110,58 @@ fn what_is_written_comes_back_bit_for_bit_with_solution_and_guess() {
 }
 
 #[test]
+fn answers_of_a_file_are_written_again_bit_for_bit() {
+    let problem = ContactProblem::new(DMatrix::identity(2, 2), dvector![-1.0, 0.5]).rows_per_contact(2).friction(vec![0.25]).build();
+    let problem = problem.expect("sizes fit");
+    // velocities that do not belong to the impulses: nothing is computed again
+    let pair = |r: [f64; 2], u: [f64; 2]| Solution::new("stored", r.to_vec().into(), u.to_vec().into(), 0);
+    let bits = f64::from_bits(1);
+    let answers = StoredAnswers {
+        solution: Some(pair([1.0, -0.1], [bits, 7.0])),
+        guesses: vec![pair([0.1, 1.0 / 3.0], [0.0, 1e300]), pair([-0.0, 2.0], [3.0, -bits])],
+        left_out: Vec::new(),
+    };
+    let bytes = problem.to_fclib_with(&answers).expect("well formed");
+    with_file(&bytes, |file| {
+        let again = StoredAnswers::read(file).expect("well formed");
+        assert_eq!(again, answers);
+        assert!(again.guesses[1].impulse[0].is_sign_negative());
+        assert_eq!(problem.to_fclib_with(&again).expect("well formed"), bytes);
+    });
+    with_file(b"{}", |file| assert_eq!(StoredAnswers::read(file).expect("no HDF5"), StoredAnswers::default()));
+    let long = |answer: Solution| problem.to_fclib_with(&StoredAnswers { guesses: vec![answer], ..answers.clone() });
+    let long = |answer: Solution| long(answer).expect_err("refused").to_string();
+    assert!(long(Solution::new("", DVector::zeros(3), DVector::zeros(2), 0)).contains("`guesses/1/r`: has size 3; give size 2"));
+    assert!(long(Solution::new("", DVector::zeros(2), DVector::zeros(3), 0)).contains("`guesses/1/u`: has size 3"));
+    assert!(problem.to_fclib(None, Some(&DVector::zeros(3))).expect_err("refused").to_string().contains("`guess`: has size 3"));
+}
+
+#[test]
+fn answers_that_are_not_whole_are_named_and_what_a_local_problem_has_no_place_for_is_listed() {
+    let with = |add: fn(&mut FileBuilder)| {
+        let mut file = FileBuilder::new();
+        add(&mut file);
+        file.finish().expect("an HDF5 file in memory")
+    };
+    let missing = with(|file| {
+        let mut group = file.create_group("solution");
+        group.create_dataset("r").with_f64_data(&[1.0]);
+        file.add_group(group.finish());
+    });
+    with_file(&missing, |file| assert!(StoredAnswers::read(file).expect_err("no u").to_string().contains("`solution/u`")));
+    let negative = with(|file| {
+        let mut group = file.create_group("guesses");
+        group.create_dataset("number_of_guesses").with_i32_data(&[-1]);
+        file.add_group(group.finish());
+    });
+    with_file(&negative, |file| assert!(StoredAnswers::read(file).expect_err("-1").to_string().contains("number_of_guesses`: is [-1]")));
+    with_file(&bob(true, Some([&[7.5, 0.0], &[-2.5], &[0.0, 0.0]])), |file| {
+        let names = ["fclib_global/M", "fclib_global/H", "fclib_global/vectors/f", "fclib_global/vectors/w", "solution/l"];
+        assert_eq!(StoredAnswers::read(file).expect("well formed").left_out, names);
+    });
+}
+
+#[test]
 fn what_fclib_cannot_hold_and_what_does_not_fit_is_named() {
     let problem = ContactProblem::new(DMatrix::identity(3, 3), dvector![-1.0, 0.0, 0.0]).friction(vec![0.5]).build().expect("sizes fit");
     let refused = |problem: ContactProblem| problem.to_fclib(None, None).expect_err("refused").to_string();

@@ -1,6 +1,7 @@
 //! A problem written as FCLIB's HDF5, with its solution and a guess.
 
 use super::matrix::COLUMNS;
+use super::stored::StoredAnswers;
 use crate::problem::{ContactProblem, Law, Solution};
 use hdf5_pure::{FileBuilder, GroupBuilder};
 use moreau_exact::{Error, Result};
@@ -27,6 +28,18 @@ impl ContactProblem {
     /// # Ok::<(), moreau_contact::Error>(())
     /// ```
     pub fn to_fclib(&self, solution: Option<&Solution>, guess: Option<&DVector<f64>>) -> Result<Vec<u8>> {
+        let pair = |guess: &DVector<f64>| {
+            self.require_size("guess", guess.len()).map(|()| Solution::new("", guess.clone(), self.velocity(guess), 0))
+        };
+        let guesses = guess.map(pair).transpose()?.into_iter().collect();
+        self.to_fclib_with(&StoredAnswers { solution: solution.cloned(), guesses, ..StoredAnswers::default() })
+    }
+
+    /// [`Self::to_fclib`] with the answers that another file held: their numbers are kept bit for bit, and what is left out is not written.
+    ///
+    /// # Errors
+    /// Those of [`Self::to_fclib`], and [`Error::Invalid`] for impulses or velocities of another size than the problem's.
+    pub fn to_fclib_with(&self, answers: &StoredAnswers) -> Result<Vec<u8>> {
         self.fits_fclib()?;
         let mut file = FileBuilder::new();
         let mut problem = file.create_group("fclib_local");
@@ -45,41 +58,54 @@ impl ContactProblem {
         vectors.create_dataset("mu").with_f64_data(self.friction());
         problem.add_group(vectors.finish());
         file.add_group(problem.finish());
-        if let Some(solution) = solution {
+        if let Some(solution) = &answers.solution {
             let mut group = file.create_group("solution");
-            group.create_dataset("r").with_f64_data(solution.impulse.as_slice());
-            group.create_dataset("u").with_f64_data(solution.velocity.as_slice());
+            self.write_pair(&mut group, solution, "solution")?;
             file.add_group(group.finish());
         }
-        if let Some(guess) = guess {
+        if !answers.guesses.is_empty() {
+            let count = i32::try_from(answers.guesses.len()).map_err(too_large)?;
             let mut guesses = file.create_group("guesses");
-            guesses.create_dataset("number_of_guesses").with_i32_data(&[1]);
-            let mut first = guesses.create_group("1");
-            first.create_dataset("r").with_f64_data(guess.as_slice());
-            first.create_dataset("u").with_f64_data(self.velocity(guess).as_slice());
-            guesses.add_group(first.finish());
+            guesses.create_dataset("number_of_guesses").with_i32_data(&[count]);
+            for (number, guess) in (1..).zip(&answers.guesses) {
+                let mut group = guesses.create_group(&format!("{number}"));
+                self.write_pair(&mut group, guess, &format!("guesses/{number}"))?;
+                guesses.add_group(group.finish());
+            }
             file.add_group(guesses.finish());
         }
         file.finish().map_err(failed)
     }
 
+    /// r and u of the group at a path.
+    fn write_pair(&self, group: &mut GroupBuilder, answer: &Solution, path: &str) -> Result<()> {
+        for (name, numbers) in [("r", &answer.impulse), ("u", &answer.velocity)] {
+            self.require_size(&format!("{path}/{name}"), numbers.len())?;
+            group.create_dataset(name).with_f64_data(numbers.as_slice());
+        }
+        Ok(())
+    }
+
     fn fits_fclib(&self) -> Result<()> {
+        let other_law = "pose it with Coulomb's law (`--law coulomb`)";
         let lacks = [
-            (self.law() != Law::Coulomb, "laws other than Coulomb's"),
-            (self.rows_per_contact() == 1, "contacts of one row"),
-            (self.shift().iter().any(|shift| *shift != 0.0), "a shift"),
-            (self.compliance().is_some(), "a compliance"),
-            (self.contacts() == 0, "problems without contacts"),
+            (self.law() != Law::Coulomb, "laws other than Coulomb's", other_law),
+            (self.rows_per_contact() == 1, "contacts of one row", "give each contact a tangent"),
+            (self.shift().iter().any(|shift| *shift != 0.0), "a shift", "leave `shift` out"),
+            (self.compliance().is_some(), "a compliance", "leave `compliance` out"),
+            (self.contacts() == 0, "problems without contacts", "give one contact or more"),
         ];
-        match lacks.into_iter().find(|(has, _)| *has) {
-            Some((_, what)) => Err(Error::Unsupported(format!("FCLIB has no place for {what}; write `contact-problem/1`"))),
+        match lacks.into_iter().find(|(has, ..)| *has) {
+            Some((_, what, cure)) => {
+                let keep = "write `contact-problem/1`, a file that ends in .json, which has one";
+                Err(Error::Unsupported(format!("FCLIB has no place for {what}; {keep}, or {cure}")))
+            }
             None => Ok(()),
         }
     }
 
     /// m, n, nz, nzmax, p, i, x of W in compressed columns.
     fn write_columns(&self, group: &mut GroupBuilder) -> Result<()> {
-        let too_large = |_| Error::Unsupported("FCLIB counts entries with 32 bits, and this problem has more".into());
         let (mut pointers, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());
         for column in 0..self.rows() {
             self.delassus().for_each_in_column(column, |row, value| {
@@ -98,6 +124,10 @@ impl ContactProblem {
         group.create_dataset("x").with_f64_data(&values);
         Ok(())
     }
+}
+
+fn too_large(_: std::num::TryFromIntError) -> Error {
+    Error::Unsupported("FCLIB counts entries with 32 bits, and this problem has more; write `contact-problem/1`".into())
 }
 
 fn failed(error: impl std::fmt::Display) -> Error {

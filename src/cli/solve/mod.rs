@@ -1,0 +1,64 @@
+//! `moreau solve`: solves a contact problem and certifies its own answer.
+
+mod arguments;
+mod folder;
+mod one;
+
+pub use arguments::Arguments;
+
+use super::kind::read_problem;
+use super::output::{keep_input, no_answer, print, print_aside, style};
+use super::remarks::remark;
+use super::{Answer, Format, progress};
+use crate::Result;
+use crate::files::write_atomically;
+use crate::report::json::pretty;
+use one::{Answered, Outcome, solved};
+
+const USAGE: &str = "moreau solve PROBLEM";
+
+/// Runs the subcommand.
+pub fn run(arguments: &Arguments) -> Result<Answer> {
+    arguments.tolerance.check()?;
+    arguments.common.apply()?;
+    let solver = arguments.tolerance.solver(&arguments.solver, arguments.iterations)?;
+    if arguments.problem.is_dir() {
+        return folder::run(arguments, &*solver);
+    }
+    keep_input(&arguments.problem, "--out", arguments.out.as_deref())?;
+    let problem = arguments.law.pose(read_problem(&arguments.problem, USAGE)?)?;
+    remark(&arguments.problem, &problem, arguments.common.format);
+    match progress::shown(&progress::word("solving"), || solved(arguments, &*solver, &arguments.problem, problem))? {
+        Outcome::Answer(answered) => written(arguments, &answered),
+        Outcome::None { error, proof } => {
+            if arguments.common.format == Format::Json {
+                return no_answer(error, proof, arguments.out.is_none());
+            }
+            if let Some(proof) = proof {
+                print_aside(&proof);
+            }
+            Err(error)
+        }
+    }
+}
+
+/// The answer and its certificate, each where it belongs.
+fn written(arguments: &Arguments, answered: &Answered) -> Result<Answer> {
+    let certificate = answered.certificate(arguments.tolerance.accepted());
+    let report = match arguments.common.format {
+        Format::Text => style().fitted(&certificate.text()),
+        Format::Json => pretty(&certificate)?,
+    };
+    let answer = answered.written()?;
+    match &arguments.out {
+        Some(file) => {
+            write_atomically(file, answer.as_bytes())?;
+            print(&report)?;
+        }
+        None => {
+            print(&answer)?;
+            print_aside(&report);
+        }
+    }
+    Ok(certificate.accepts().into())
+}

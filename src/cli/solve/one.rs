@@ -1,0 +1,100 @@
+//! One problem: solved, and judged.
+
+use super::super::kind::is_lcp;
+use super::super::posed;
+use super::arguments::Arguments;
+use crate::certificate::joints::JointedResiduals;
+use crate::problem::{Posed, Solution};
+use crate::report::certificate::{Certificate, Ending};
+use crate::report::no_answer::NoAnswer;
+use crate::solvers::{ContactSolver, least_norm, watch::watched};
+use crate::tolerance::certificate::CERTIFY;
+use crate::{Error, Result};
+use std::path::Path;
+
+/// What became of a problem.
+pub enum Outcome {
+    /// A solver proposed an answer.
+    Answer(Box<Answered>),
+    /// It proposed none, or could not be asked.
+    None {
+        /// What it says.
+        error: Error,
+        /// Why there is no solution, where that is proved.
+        proof: Option<String>,
+    },
+}
+
+/// A problem with the answer that is proposed.
+pub struct Answered {
+    problem: Posed,
+    solution: Solution,
+    residuals: JointedResiduals,
+    ending: Ending,
+    is_lcp: bool,
+}
+
+/// Solves the problem of a file.
+///
+/// # Errors
+/// Whatever is wrong with what was asked. An error of the solver is an [`Outcome`].
+pub fn solved(arguments: &Arguments, solver: &dyn ContactSolver, file: &Path, problem: Posed) -> Result<Outcome> {
+    let start = arguments.start.as_deref().map(|file| posed::read_answer(&problem, file).map(|solution| (file, solution))).transpose()?;
+    if start.is_some() && !solver.takes_start() {
+        let problem = format!("does nothing with `{}`, which has a start of its own", solver.name());
+        return Err(Error::invalid("--start", problem, "leave it out, or ask `auto`, which takes one"));
+    }
+    posed::require_memory(&problem)?;
+    let warm = start.as_ref().map(|(_, solution)| &solution.impulse);
+    let (answer, seen) = arguments.tolerance.within_time(|interrupt| watched(interrupt, || posed::solve(&problem, solver, warm)));
+    let place = match (&answer, &start) {
+        (Err(Error::Invalid { field, .. }), Some((file, _))) if field.starts_with("warm_start") => file,
+        _ => file,
+    };
+    let solution = match answer.map_err(|error| error.in_file(place)) {
+        Ok(solution) => solution,
+        Err(error) => {
+            // what is refused as it stands has its own message
+            let proof = NoAnswer::of(&error).filter(|_| !seen.interrupted).and_then(|_| posed::refuted(&problem));
+            return Ok(Outcome::None { error, proof });
+        }
+    };
+    let solution = if arguments.least_norm { smallest(&problem, solution, file)? } else { solution };
+    let residuals = posed::judge(&problem, &solution)?;
+    let exhausted = seen.interrupted || solver.iteration_limit().is_some_and(|most| solution.iterations >= most);
+    // what ends without a look on the way has its answer looked at
+    let looks = if seen.history.is_empty() { vec![residuals.relative()] } else { seen.history };
+    let ending = Ending { exhausted, reproducible: !seen.interrupted, history: arguments.history.then_some(looks) };
+    let is_lcp = is_lcp(file, &problem);
+    Ok(Outcome::Answer(Box::new(Answered { problem, solution, residuals, ending, is_lcp })))
+}
+
+impl Answered {
+    /// The certificate; what it rejects, or accepts with doubt, is asked whether there is a solution at all.
+    pub fn certificate(&self, tolerance: f64) -> Certificate<'_> {
+        let certificate = posed::certificate(&self.problem, &self.solution, self.residuals, tolerance).with_ending(self.ending.clone());
+        let certificate = if self.is_lcp { certificate.without_units() } else { certificate };
+        let believed = certificate.accepts() && !posed::is_doubtful(&self.residuals);
+        if believed { certificate } else { certificate.with_no_solution(posed::refuted(&self.problem)) }
+    }
+
+    /// The largest relative residual.
+    pub fn relative(&self) -> f64 {
+        self.residuals.relative()
+    }
+
+    /// The answer as a solution/1.
+    ///
+    /// # Errors
+    /// [`Error::Json`] if the residuals have no JSON.
+    pub fn written(&self) -> Result<String> {
+        Ok(self.solution.to_json(Some(posed::name(&self.problem)), Some(serde_json::to_value(self.residuals)?)))
+    }
+}
+
+/// The answer with the impulses of least norm; a rejected one stays as it is.
+fn smallest(problem: &Posed, solution: Solution, file: &Path) -> Result<Solution> {
+    let contacts = posed::contacts(problem, "--least-norm")?;
+    let rejected = !posed::judge(problem, &solution)?.contacts.judged.accepts(CERTIFY);
+    if rejected { Ok(solution) } else { least_norm(contacts, &solution).map_err(|error| error.in_file(file)) }
+}
