@@ -160,6 +160,7 @@ def record(posed, command, stored=True):
             answer["forward"] = forward(certificate)
             uniqueness = _better(uniqueness, certificate.get("solutions"), posed)
             stored_answers.append({key: value for key, value in answer.items() if key != "velocity" and value is not None})
+    uniqueness = _with_answers(_several(uniqueness, apart(measured["answers"]), posed), measured["answers"])
     return {"schema": "answered-problem/1", "name": posed.name, "group": posed.group, "about": posed.about,
             "contacts": posed.contacts, "dimension": document["dimension"], "law": document["law"],
             "friction": [min(document["friction"]), max(document["friction"])], "stored": stored,
@@ -168,23 +169,65 @@ def record(posed, command, stored=True):
             "answers": stored_answers, "uniqueness": uniqueness, "difficulty": measured["difficulty"], "solvers": measured["solvers"]}
 
 
+def apart(answers):
+    """How many of these answers, as one pass from the smallest radius on finds them, have enclosures in u that are disjoint from each other.
+
+    ‖u* − u‖ ≤ ε at every contact: where an entry of u and u′ differs by more than ε + ε′, so do the solutions near.
+    """
+    def differ(one, other):
+        # the difference is rounded once, far below the half of it
+        return 0.5 * max(abs(a - b) for a, b in zip(one["velocity"], other["velocity"])) > one["forward"]["velocity"] + other["forward"]["velocity"]
+    chosen = []
+    proved = [one for one in answers if one["forward"].get("velocity") is not None]
+    for one in sorted(proved, key=lambda one: one["forward"]["velocity"]):
+        if all(differ(one, other) for other in chosen):
+            chosen.append(one)
+    return len(chosen)
+
+
+def _several(known, count, posed):
+    """Several velocities, where that many answers have disjoint enclosures and nothing else tells how many there are."""
+    if count < 2:
+        return known
+    if known["velocity"] not in ("unknown", "several") or known.get("count", count) < count:
+        raise Contradiction(f"{posed.name}: the velocity is {known['velocity']} ({known['reason']}), and {count} answers have disjoint enclosures")
+    if known["velocity"] == "several":
+        return known
+    return {"velocity": "several", "reason": f"at least {count} velocities: {count} answers have proved enclosures in u that are disjoint"}
+
+
+def _with_answers(known, answers):
+    """What a proof that there is one velocity is without an accepted answer: that there is at most one."""
+    if known["velocity"] != "unique" or answers:
+        return known
+    return {"velocity": "at-most-one", "reason": known["reason"]}
+
+
 def _better(known, proved, posed):
     """The uniqueness that `certify --prove` proves, where nothing else did; two proofs must not contradict each other."""
     if not isinstance(proved, dict):
         return known
-    count = (proved.get("all") or {}).get("velocities")
-    unique = proved.get("unique") in ("solution", "velocity") or count == 1
-    apart = (proved.get("several") or {}).get("at_least")
-    several = (proved.get("all") or {}).get("continuum") or (count or 0) > 1 or apart
+    every = proved.get("all") or {}
+    continuum = bool(every.get("continuum") or proved.get("continuum"))
+    count = None if continuum else every.get("velocities")
+    least = (proved.get("several") or {}).get("at_least")
+    told = proved.get("unique") in ("solution", "velocity")
+    unique, several = told or count == 1, continuum or (count or 0) > 1 or least
     if not (unique or several):
         return known
-    reason = f"at least {apart} velocities have disjoint enclosures" if apart else proved.get("reason")
+    if told:
+        reason = proved.get("reason")
+    elif continuum:
+        reason = "the velocities are a continuum"
+    else:
+        tried = f"all {every.get('patterns')} patterns were tried, and the solutions have exactly {count} velocit{'y' if count == 1 else 'ies'}"
+        reason = f"at least {least} velocities have disjoint enclosures" if least else tried
     proved = {"velocity": "unique" if unique else "several", "reason": reason}
     if known["velocity"] not in ("unknown", proved["velocity"]):
         raise Contradiction(f"{posed.name}: the velocity is {known['velocity']} ({known['reason']}), and certify --prove says {proved['velocity']}")
     if known["velocity"] != "unknown":
         return known
     better = {"velocity": proved["velocity"], "reason": f"moreau certify --prove: {proved.get('reason') or 'proved'}"}
-    if proved["velocity"] == "unique":
-        better["count"] = 1
+    if not continuum and not least:
+        better["count"] = count or 1
     return better

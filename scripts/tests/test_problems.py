@@ -17,7 +17,7 @@ from generate_problems import MOST_CONTACTS  # noqa: E402
 from problems import boxes, exact, small, steps  # noqa: E402
 from problems.mechanism import Points, Space  # noqa: E402
 from problems.posed import Posed  # noqa: E402
-from problems.records import Contradiction, _check, _uniqueness, text  # noqa: E402
+from problems.records import Contradiction, _better, _check, _several, _uniqueness, _with_answers, apart, text  # noqa: E402
 
 ROOT = SCRIPTS.parent
 STORED = ROOT / "references" / "problems"
@@ -90,6 +90,51 @@ class Contradictions(unittest.TestCase):
     def test_a_closed_form_that_is_not_accepted_is_noticed(self):
         with self.assertRaises(Contradiction):
             _check(self.posed(closed=[1, 0], closed_by="a guess"), None, {"answers": [self.answer([0.0, 2.0])], "solvers": []})
+
+    def test_answers_are_several_velocities_where_their_proved_radii_are_smaller_than_the_distances_between_them(self):
+        def answer(velocity, radius):
+            return {"velocity": velocity, "forward": {"reason": "none"} if radius is None else {"velocity": radius}}
+        far = [answer([0.0, 0.0], 0.1), answer([0.0, 1.0], 0.1), answer([1.0, 0.0], 0.1)]
+        self.assertEqual(apart(far), 3)
+        # planted: enclosures that meet, a radius that is not proved, an answer that stands twice
+        for spoilt, count in ((answer([0.0, 0.0], 1.0), 2), (answer([0.0, 0.0], 0.5), 2), (answer([0.0, 0.0], None), 2), (far[1], 2)):
+            self.assertEqual(apart([spoilt, *far[1:]]), count, spoilt)
+        self.assertEqual(apart([]), 0)
+        posed = Posed("", "", {"name": "two"})
+        unknown = {"velocity": "unknown", "reason": "not proved"}
+        told = _several(unknown, 3, posed)
+        self.assertEqual((told["velocity"], told["reason"].split(":")[0], "count" in told), ("several", "at least 3 velocities", False))
+        self.assertEqual([_several(unknown, count, posed) for count in (0, 1)], [unknown, unknown])
+        known = {"velocity": "several", "count": 3, "reason": "fractions"}
+        self.assertEqual(_several(known, 3, posed), known)
+        for other, count in ((known, 4), ({"velocity": "unique", "count": 1, "reason": "a theorem"}, 2), ({"velocity": "none", "reason": "fractions"}, 2)):
+            with self.assertRaises(Contradiction):
+                _several(other, count, posed)
+
+    def test_what_certify_proves_is_told_with_its_own_reason_and_a_continuum_is_not_unique(self):
+        posed, unknown = Posed("", "", {"name": "a problem"}), {"velocity": "unknown", "reason": "not proved"}
+
+        def told(unique="unknown", **more):
+            return _better(unknown, {"unique": unique, "reason": "of unique", **more}, posed)
+
+        def every(velocities, continuum=False):
+            return {"patterns": 16, "velocities": velocities, "continuum": continuum}
+        self.assertEqual(told(), unknown)
+        self.assertEqual(told("solution"), {"velocity": "unique", "reason": "moreau certify --prove: of unique", "count": 1})
+        one, three = told(all=every(1)), told(all=every(3))
+        self.assertEqual((one["velocity"], one["count"], three["velocity"], three["count"]), ("unique", 1, "several", 3))
+        self.assertTrue(one["reason"].endswith("all 16 patterns were tried, and the solutions have exactly 1 velocity"), one)
+        # met at one vertex, and not alone; the ends without all of them say the same
+        for endless in (told(all=every(1, True)), told(continuum=[{}, {}])):
+            self.assertEqual(endless, {"velocity": "several", "reason": "moreau certify --prove: the velocities are a continuum"})
+        self.assertNotIn("count", told(several={"at_least": 2}))
+
+    def test_one_velocity_without_an_answer_is_one_at_most(self):
+        unique = {"velocity": "unique", "count": 1, "reason": "a theorem"}
+        self.assertEqual(_with_answers(unique, [{}]), unique)
+        self.assertEqual(_with_answers(unique, []), {"velocity": "at-most-one", "reason": "a theorem"})
+        none = {"velocity": "none", "reason": "fractions"}
+        self.assertEqual(_with_answers(none, []), none)
 
     def test_two_answers_alone_prove_no_two_velocities(self):
         posed = self.posed()

@@ -113,7 +113,7 @@ impl LcpProved {
 
     /// What was proved of an answer under polyhedral friction.
     pub fn polyhedral(lcp: &Lcp<f64>, answer: &Answer) -> Self {
-        let count = Count::Unknown("of the velocities under polyhedral friction it is not decided".into());
+        let count = Count::Unknown("the velocities are counted, in `solutions`: λ, β, σ of one velocity may differ".into());
         LcpProved { unknowns: "λ, β, σ", ..LcpProved::new(lcp, Some(answer), &count) }
     }
 
@@ -146,6 +146,10 @@ impl LcpProved {
         if let Some(NotProved { row, reason }) = &self.not_proved {
             let place = row.map_or(String::new(), |row| format!(" (row {row})"));
             lines.push(format!("NOT proved that a solution is near{place}: {reason}"));
+        }
+        if self.unknowns != "r" {
+            // the velocities are counted, not their parts
+            return lines;
         }
         lines.push(match (self.solutions, self.count) {
             ("one", _) => format!("proved: exactly one solution; {}", self.why),

@@ -1,5 +1,6 @@
 //! Reports: text, JSON and pictures of what was found. Nothing here computes; nothing here prints.
 
+mod all_solutions;
 pub mod answers;
 pub mod bench;
 mod bound;

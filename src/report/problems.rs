@@ -88,14 +88,14 @@ pub(super) fn friction([least, most]: [f64; 2]) -> String {
 pub fn list(lines: &[Line]) -> String {
     let width = lines.iter().map(|line| line.name.chars().count()).max().unwrap_or(0).max("problem".len());
     let mut text = format!(
-        "{:width$} {:>8} {:20} {:>7} {:8} {:>8} {:>8} {:>8} {:>6}\n",
+        "{:width$} {:>8} {:20} {:>7} {:11} {:>8} {:>8} {:>8} {:>6}\n",
         "problem", "contacts", "law", "μ", "velocity", "δ [m/s]", "radius", "sweeps", "failed"
     );
     for line in lines {
         let sweeps = line.sweeps.map_or("–".into(), |sweeps| sweeps.to_string());
         let _ = writeln!(
             text,
-            "{:width$} {:>8} {:20} {:>7} {:8} {:>8} {:>8} {sweeps:>8} {:>6}",
+            "{:width$} {:>8} {:20} {:>7} {:11} {:>8} {:>8} {sweeps:>8} {:>6}",
             line.name,
             line.contacts,
             line.law,
@@ -115,12 +115,13 @@ fn summary(lines: &[Line]) -> String {
     let count = |is: &dyn Fn(&Line) -> bool| lines.iter().filter(|line| is(line)).count();
     let known = |known: Known| count(&|line| line.uniqueness == known);
     format!(
-        "{} problems of {} to {} contacts; velocity unique for {}, several for {}, no solution for {}, unknown for {}; three or more \
-         solvers fail at {}",
+        "{} problems of {} to {} contacts; velocity unique for {}, at most one for {}, several for {}, no solution for {}, unknown for {}; three \
+         or more solvers fail at {}",
         lines.len(),
         lines.iter().map(|line| line.contacts).min().unwrap_or(0),
         lines.iter().map(|line| line.contacts).max().unwrap_or(0),
         known(Known::Unique),
+        known(Known::AtMostOne),
         known(Known::Several),
         known(Known::None),
         known(Known::Unknown),

@@ -1,10 +1,10 @@
 //! What was proved about all solutions of a problem: how many there are, or that there is none.
 
+use super::all_solutions::{All, End, Enumerated, Several, end_lines};
 use crate::Result;
 use crate::certificate::infeasible::{Infeasible, infeasible};
 use crate::certificate::jointed_proof::{infeasible_jointed, uniqueness_jointed};
 use crate::certificate::patterns::{Solutions, solutions};
-use crate::certificate::several::{Distinct, distinct};
 use crate::certificate::spatial::{Velocities, velocities};
 use crate::certificate::uniqueness::{Uniqueness, uniqueness};
 use crate::number::significant;
@@ -28,40 +28,15 @@ pub struct Proofs {
     /// Solutions with different velocities, where not all are known.
     #[serde(skip_serializing_if = "Option::is_none")]
     several: Option<Several>,
+    /// Two ends of a continuum of velocities; every mean of their impulses is a solution.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    continuum: Option<[End; 2]>,
     /// Where further velocities may be, although all directions of slip in space were tried.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     undecided: Vec<String>,
     /// A witness that there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     infeasible: Option<Refuted>,
-}
-
-/// All solutions of a problem in the plane, or of few contacts in space.
-#[derive(Serialize, JsonSchema)]
-#[schemars(rename = "AllSolutions")]
-struct All {
-    /// How many patterns of open, sticking and sliding contacts were tried: all there are.
-    patterns: usize,
-    /// Into how many pieces they were cut by directions of slip, in space.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pieces: Option<usize>,
-    /// How many velocities; at the vertices, if they are a continuum.
-    velocities: usize,
-    /// Whether they are a continuum.
-    continuum: bool,
-    /// u of each \[m/s\], rounded.
-    found: Vec<Vec<f64>>,
-}
-
-/// Answers whose enclosures are disjoint.
-#[derive(Serialize, JsonSchema)]
-struct Several {
-    /// How many velocities there are at least.
-    at_least: usize,
-    /// u of each answer \[m/s\].
-    velocities: Vec<Vec<f64>>,
-    /// The largest ‖u* − u‖ of a contact, of each \[m/s\].
-    radii: Vec<f64>,
 }
 
 /// p in fractions, and p·(u_free + shift).
@@ -88,19 +63,17 @@ impl Proofs {
     /// # Errors
     /// As [`distinct`].
     pub fn new(problem: &ContactProblem, exists: bool, answers: impl FnOnce() -> Vec<Solution>) -> Result<Self> {
-        let (unique, reason) = told(uniqueness(problem));
+        let mut known = Enumerated::of(problem).unless_contradicted(exists);
+        let (unique, reason) = known.unique.take().unwrap_or_else(|| told(uniqueness(problem)));
         let infeasible = if exists { None } else { infeasible(problem).map(|found| Refuted::new(found, of_which(problem))) };
-        let (all, met, undecided) = match (solutions(problem), velocities(problem)) {
-            (Ok(all), _) => (Some(All::from(all)), Vec::new(), Vec::new()),
-            (_, Ok(all)) if all.exactly().is_some() => (Some(All::from(all)), Vec::new(), Vec::new()),
-            (_, Ok(all)) => (None, all.found, all.undecided),
-            _ => (None, Vec::new(), Vec::new()),
-        };
-        let is_open = unique == "unknown" && all.is_none() && infeasible.is_none() && problem.law().directions().is_none();
-        let answers = || met.into_iter().map(|(answer, _)| answer).chain(answers()).collect::<Vec<_>>();
-        let several = if is_open { Several::among(problem, &answers())? } else { None };
-        let undecided = if is_open { undecided.into_iter().map(|reason| reason.text).collect() } else { Vec::new() };
-        Ok(Proofs { unique, reason, all, several, undecided, infeasible })
+        if unique == "unknown" && known.is_open() && infeasible.is_none() {
+            let met = std::mem::take(&mut known.met);
+            known.several = Several::among(problem, &met.into_iter().chain(answers()).collect::<Vec<_>>())?;
+        } else {
+            known.undecided.clear();
+        }
+        let Enumerated { all, several, continuum, undecided, .. } = known;
+        Ok(Proofs { unique, reason, all, several, continuum, undecided, infeasible })
     }
 
     /// The same of a problem with joints, whose solutions are not counted.
@@ -111,7 +84,7 @@ impl Proofs {
         let (unique, reason) = told(uniqueness_jointed(problem)?);
         let found = if exists { None } else { infeasible_jointed(problem)? };
         let infeasible = found.map(|found| Refuted { by_rounding: found.relative <= AGREES, ..Refuted::new(found, STORED) });
-        Ok(Proofs { unique, reason, all: None, several: None, undecided: Vec::new(), infeasible })
+        Ok(Proofs { unique, reason, all: None, several: None, continuum: None, undecided: Vec::new(), infeasible })
     }
 
     /// Whether it is proved that there is no solution, and not one to rounding either.
@@ -126,23 +99,13 @@ impl Proofs {
             "velocity" => format!("proved: all solutions have the same velocities: {}", self.reason),
             _ => format!("not proved that the velocities are unique: {}", self.reason),
         }];
-        if let Some(all) = &self.all {
-            let count = match (all.velocities, all.continuum) {
-                (0, _) => "there is no solution".into(),
-                (_, true) => "the velocities of the solutions are a continuum".into(),
-                (1, false) => "the solutions have exactly 1 velocity".into(),
-                (count, false) => format!("the solutions have exactly {count} velocities"),
-            };
-            lines.push(match all.pieces {
-                None => format!("proved in fractions: all {} patterns tried, {count}", all.patterns),
-                Some(pieces) => format!("proved by intervals: all {} patterns tried in {pieces} pieces, {count}", all.patterns),
-            });
-        }
-        if let Some(several) = &self.several {
-            lines.push(format!(
-                "proved by intervals: at least {} different velocities: so many answers have disjoint enclosures",
-                several.at_least
-            ));
+        lines.extend(self.all.as_ref().map(All::line));
+        lines.extend(self.several.as_ref().map(Several::line));
+        if let Some(ends) = &self.continuum {
+            if self.all.is_none() {
+                lines.push("proved in fractions: the velocities of the solutions are a continuum".into());
+            }
+            lines.extend(end_lines(ends));
         }
         if let Some(first) = self.undecided.first() {
             lines.push(format!("not proved that these are all velocities: {first} ({} patterns)", self.undecided.len()));
@@ -183,7 +146,10 @@ pub fn none_of_the_patterns(problem: &ContactProblem) -> Option<String> {
         Ok(all) => in_plane(all),
         Err(_) => velocities(problem).ok().and_then(in_space),
     }?;
-    Some(format!("proved in fractions: the problem has no solution; all {patterns} patterns of what its contacts may do were tried\n"))
+    let of_which = of_which(problem);
+    Some(format!(
+        "proved in fractions{of_which}: the problem has no solution; all {patterns} patterns of what its contacts may do were tried\n"
+    ))
 }
 
 /// The same of a problem with joints: they contradict the rest by more than rounding.
@@ -197,44 +163,6 @@ fn in_a_line(found: &Infeasible, of_which: &str) -> String {
     format!(
         "proved in fractions{of_which}: the problem has no solution; impulses p with −Wᵀp in K* have p·(u_free + shift) = {product} J\n"
     )
-}
-
-impl Several {
-    fn among(problem: &ContactProblem, answers: &[Solution]) -> Result<Option<Self>> {
-        let found = distinct(problem, answers)?;
-        let velocity = |one: &Distinct| answers[one.answer].velocity.as_slice().to_vec();
-        let radius = |one: &Distinct| one.radius.worst().map_or(0.0, |(_, radius)| radius);
-        Ok((found.len() > 1).then(|| Several {
-            at_least: found.len(),
-            velocities: found.iter().map(velocity).collect(),
-            radii: found.iter().map(radius).collect(),
-        }))
-    }
-}
-
-impl From<Solutions> for All {
-    fn from(all: Solutions) -> Self {
-        let rounded = |numbers: &[Rational]| numbers.iter().map(Scalar::to_f64).collect();
-        All {
-            patterns: all.patterns,
-            pieces: None,
-            velocities: all.found.len(),
-            continuum: all.continuum.is_some(),
-            found: all.found.iter().map(|one| rounded(one.velocity.as_slice())).collect(),
-        }
-    }
-}
-
-impl From<Velocities> for All {
-    fn from(all: Velocities) -> Self {
-        All {
-            patterns: all.patterns,
-            pieces: Some(all.pieces),
-            velocities: all.found.len(),
-            continuum: false,
-            found: all.found.iter().map(|(answer, _)| answer.velocity.as_slice().to_vec()).collect(),
-        }
-    }
 }
 
 impl Refuted {

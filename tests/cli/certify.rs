@@ -220,6 +220,74 @@ fn polyhedral_laws_have_the_ordinary_verdict_and_the_proof_of_their_complementar
     assert!(radius["impulse"].as_f64().is_some_and(|moved| moved >= far && moved <= 1.001 * far), "{radius}");
 }
 
+/// A contact in space, pushed along by a normal impulse twice as much as away: Painlevé's.
+fn pushed(law: &str, free: [f64; 3]) -> String {
+    format!(
+        r#"{{"schema": "contact-problem/1", "name": "pushed", "dimension": 3, "law": "{law}", "directions": 4, "friction": [1],
+            "free_velocity": {free:?}, "delassus": {{"shape": [3, 3], "rows": [[1, 2, 0], [2, 5, 0], [0, 0, 1]]}}}}"#
+    )
+}
+
+#[test]
+fn velocities_under_polyhedral_friction_are_counted_in_text_and_json() {
+    let folder = Folder::new("certify-polyhedral-count");
+    let zero = folder.file("zero.json", r#"{"schema": "solution/1", "impulse": [0, 0, 0]}"#);
+    let told = |free: [f64; 3]| {
+        let problem = folder.file("problem.json", &pushed("polyhedral-coulomb", free));
+        let text = moreau(&["certify", &problem, &zero, "--prove"]).output;
+        (text, moreau(&["certify", &problem, &zero, "--prove", "--format", "json"]).json()["solutions"].clone())
+    };
+    let (text, solutions) = told([1.0, 4.0, 0.0]);
+    let all = &solutions["all"];
+    assert_eq!((&all["velocities"], &all["patterns"], &all["continuum"]), (&3.into(), &64.into(), &false.into()), "{solutions}");
+    assert!(solutions["unique"] == "unknown" && all["sets"].as_u64().is_some() && text.contains("exactly 3 velocities"), "{text}");
+    let (text, solutions) = told([-1.0, 1.0, 0.0]);
+    assert_eq!((&solutions["unique"], &solutions["all"]["velocities"]), (&"solution".into(), &1.into()), "{solutions}");
+    assert!(text.contains("all 2^6 complementary cones") && !text.contains("not known"), "{text}");
+    // four contacts have 24 unknowns: why it is not known, and no count
+    let rows: Vec<Vec<i32>> = (0..12).map(|i| (0..12).map(|j| i32::from(i == j)).collect()).collect();
+    let many = format!(
+        r#"{{"schema": "contact-problem/1", "name": "many", "dimension": 3, "law": "polyhedral-coulomb", "directions": 4,
+            "friction": [1, 1, 1, 1], "free_velocity": {:?}, "delassus": {{"shape": [12, 12], "rows": {rows:?}}}}}"#,
+        [1; 12]
+    );
+    let zero = folder.file("zeros.json", &format!(r#"{{"schema": "solution/1", "impulse": {:?}}}"#, [0; 12]));
+    let solutions =
+        moreau(&["certify", &folder.file("many.json", &many), &zero, "--prove", "--format", "json"]).json()["solutions"].clone();
+    assert!(solutions["unique"] == "unknown" && solutions["reason"].as_str().is_some_and(|why| why.contains("24 unknowns")), "{solutions}");
+    assert!(solutions.get("all").is_none() && solutions.get("several").is_none(), "{solutions}");
+}
+
+#[test]
+fn a_continuum_of_velocities_is_told_by_its_two_ends() {
+    let folder = Folder::new("certify-continuum");
+    // between two walls, moving along them: as jammed as one likes, at every speed between
+    for (law, more) in [("coulomb", ""), ("polyhedral-coulomb", r#""directions": 2,"#)] {
+        let text = format!(
+            r#"{{"schema": "contact-problem/1", "name": "slot", "dimension": 2, "law": "{law}", {more} "friction": [0.5, 0.5],
+                "free_velocity": [0, 2, 0, 2],
+                "delassus": {{"shape": [4, 4], "rows": [[1, 0, -1, 0], [0, 1, 0, 1], [-1, 0, 1, 0], [0, 1, 0, 1]]}}}}"#
+        );
+        let problem = folder.file("slot.json", &text);
+        let answer = folder.file("free.json", r#"{"schema": "solution/1", "impulse": [0, 0, 0, 0], "velocity": [0, 2, 0, 2]}"#);
+        let run = moreau(&["certify", &problem, &answer, "--prove"]);
+        let shown = |start: &str, unit: &str| run.output.lines().any(|line| line.trim_start().starts_with(start) && line.ends_with(unit));
+        assert!(run.output.contains("are a continuum") && shown("one end", ") m/s") && shown("other end", ") m/s"), "{}", run.output);
+        assert_eq!(run.output.lines().filter(|line| line.trim_start().starts_with("r = (")).count(), 2, "{}", run.output);
+        let solutions = moreau(&["certify", &problem, &answer, "--prove", "--format", "json"]).json()["solutions"].clone();
+        let numbers =
+            |end: usize, of: &str| -> Vec<f64> { serde_json::from_value(solutions["continuum"][end][of].clone()).expect("numbers") };
+        assert_eq!(solutions["all"]["continuum"], true, "{solutions}");
+        assert_ne!(numbers(0, "velocity"), numbers(1, "velocity"));
+        // both ends, and the mean of their impulses, are solutions
+        let mean: Vec<f64> = numbers(0, "impulse").iter().zip(numbers(1, "impulse")).map(|(one, other)| 0.5 * (one + other)).collect();
+        for impulse in [numbers(0, "impulse"), numbers(1, "impulse"), mean] {
+            let file = folder.file("end.json", &format!(r#"{{"schema": "solution/1", "impulse": {impulse:?}}}"#));
+            assert_eq!(moreau(&["certify", &problem, &file]).code, 0, "{law} {impulse:?}");
+        }
+    }
+}
+
 #[test]
 fn several_velocities_are_counted_by_disjoint_enclosures_and_one_is_not() {
     let folder = Folder::new("certify-several");

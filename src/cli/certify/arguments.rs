@@ -26,8 +26,8 @@ pub struct Arguments {
     pub(super) tolerance: f64,
     /// Prove, in fractions, how far the nearest problem is that impulses near these solve exactly; and by intervals, within which radius
     /// the problem itself has a solution, or why that is not proved, and how many dimensions the impulses with its velocity have; whether
-    /// velocities are unique; whether there is no solution at all; how many velocities there are, to six contacts in the plane and three in
-    /// space. Of polyhedral friction, besides, how far a solution of its complementarity problem is. Of a linear
+    /// velocities are unique; whether there is no solution at all; how many velocities there are, to six contacts in the plane, three in
+    /// space and 20 unknowns λ, β, σ of polyhedral friction. Of that, besides, how far a solution of its complementarity problem is. Of a linear
     /// complementarity problem, moreover: how far a solution is, and how many there are; without an answer, the latter alone. Of a problem
     /// with joints, all of this but the number of velocities.
     #[arg(long)]

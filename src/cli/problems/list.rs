@@ -20,7 +20,7 @@ pub struct Arguments {
     /// Those under this law: frictionless, coulomb, associated, polyhedral-coulomb, polyhedral-associated.
     #[arg(long, value_name = "LAW")]
     law: Option<String>,
-    /// Those with this word about their velocity: unique, several, none, unknown.
+    /// Those with this word about their velocity: unique, at-most-one, several, none, unknown.
     #[arg(long, value_name = "WORD")]
     velocity: Option<String>,
     /// Those with at least so many contacts.
@@ -53,7 +53,8 @@ Columns:
   contacts  how many
   law       frictionless, coulomb, associated, or a polyhedral one
   μ         the coefficient of friction, or the least and the largest
-  velocity  whether all solutions have one velocity u: unique, several and none (no solution) are proved, unknown is not
+  velocity  whether all solutions have one velocity u: unique, several and none (no solution) are proved, unknown is not;
+            at-most-one where no solution is known
   δ         [m/s] the first answer solves exactly a problem whose free velocity is this near at every contact, proved in fractions
   radius    [m/s] the problem itself has a solution whose u is this near, proved by intervals; – where that is not proved
   sweeps    plain Gauss–Seidel sweeps until the certificate accepts 1e-8; – where they do not get there
@@ -98,7 +99,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let records: Vec<Record> = ALL.iter().map(|stored| stored.record()).collect::<Result<_>>()?;
     known("--group", arguments.group.as_deref(), records.iter().map(|record| record.group.as_str()))?;
     known("--law", arguments.law.as_deref(), records.iter().map(|record| record.law.as_str()))?;
-    let words = [Known::Unique, Known::Several, Known::None, Known::Unknown].map(Known::name);
+    let words = [Known::Unique, Known::AtMostOne, Known::Several, Known::None, Known::Unknown].map(Known::name);
     known("--velocity", arguments.velocity.as_deref(), words.into_iter())?;
     let is = |given: &Option<String>, own: &str| given.as_deref().is_none_or(|given| given == own);
     let fits = |record: &&Record| {

@@ -118,6 +118,8 @@ pub struct Uniqueness {
 pub enum Known {
     /// There is one, proved.
     Unique,
+    /// There is at most one, proved; whether there is a solution is not.
+    AtMostOne,
     /// There are several, proved.
     Several,
     /// There is no solution, proved.
@@ -131,6 +133,7 @@ impl Known {
     pub fn name(self) -> &'static str {
         match self {
             Known::Unique => "unique",
+            Known::AtMostOne => "at-most-one",
             Known::Several => "several",
             Known::None => "none",
             Known::Unknown => "unknown",

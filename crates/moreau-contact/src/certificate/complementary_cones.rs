@@ -123,12 +123,16 @@ pub(super) enum Until {
     Solution,
     /// All solutions, or a direction in which there are infinitely many.
     Family,
+    /// Polyhedra that hold all solutions: a cone is passed over where the polyhedron of another one is seen to hold its own.
+    Cover,
 }
 
 /// What a search found.
 pub(super) struct Looked {
     /// Solutions; all of them if nothing stopped the search.
     pub set: SolutionSet,
+    /// The supports of all polyhedra that are more than a point.
+    pub wide: Vec<(Vec<bool>, Family)>,
     /// Sets of cones that were looked at.
     pub cones: usize,
     /// Whether [`CONE_WORK`] or [`CONE_SOLUTIONS`] stopped it.
@@ -202,24 +206,25 @@ impl Search<'_> {
         // the order of the supports as binary numbers, the first index last
         self.pieces.sort_by(|(one, ..), (other, ..)| one.iter().rev().cmp(other.iter().rev()));
         let mut set = SolutionSet { points: Vec::new(), families: Vec::new() };
-        let mut known = BTreeSet::new();
-        for (_, point, direction) in self.pieces {
+        let (mut known, mut wide) = (BTreeSet::new(), Vec::new());
+        for (support, point, direction) in self.pieces {
             if let Some(direction) = direction {
                 let family = Family { point: point.clone(), direction };
                 if !set.families.contains(&family) {
-                    set.families.push(family);
+                    set.families.push(family.clone());
                 }
+                wide.push((support, family));
             }
             if known.insert(point.as_slice().to_vec()) {
                 set.points.push(point);
             }
         }
-        Looked { set, cones: self.cones, stopped: self.stopped }
+        Looked { set, wide, cones: self.cones, stopped: self.stopped }
     }
 
     fn is_enough(&self) -> bool {
         match self.until {
-            Until::End => false,
+            Until::End | Until::Cover => false,
             Until::Solution => !self.pieces.is_empty(),
             Until::Family => self.pieces.last().is_some_and(|(.., direction)| direction.is_some()),
         }
@@ -236,13 +241,24 @@ impl Search<'_> {
         self.cones += 1;
         let size = support.len();
         let open = |j: &usize| support[*j].is_none();
-        let violated = (0..size).filter(open).find(|&j| at.is_positive(j) && at.is_positive(size + j));
-        let Some(j) = violated.or_else(|| (0..size).find(open)) else { return self.keep(&at, support) };
+        let violated = || (0..size).filter(open).find(|&j| at.is_positive(j) && at.is_positive(size + j));
+        let next = match self.until {
+            // slip speeds come last among the unknowns and decide most: where one is zero, the velocities along all directions are
+            Until::Cover => (0..size).rev().find(open),
+            _ => violated().or_else(|| (0..size).find(open)),
+        };
+        let Some(j) = next else { return self.keep(&at, support) };
         // first what the point satisfies already
         let first = at.is_positive(size + j);
+        // where one of the conditions holds everywhere, its branch has all that the other one has
+        let everywhere =
+            [true, false].into_iter().find(|w| self.until == Until::Cover && self.vanishes(&at, if *w { j } else { size + j }));
         for in_support in [first, !first] {
             if self.stopped || self.is_enough() {
                 break;
+            }
+            if everywhere.is_some_and(|only| only != in_support) {
+                continue;
             }
             let mut next = at.clone();
             let holds = next.fix(if in_support { j } else { size + j });
@@ -253,6 +269,14 @@ impl Search<'_> {
             }
         }
         support[j] = None;
+    }
+
+    /// Whether a variable is zero on all of a polyhedron.
+    fn vanishes(&mut self, at: &Dictionary, variable: usize) -> bool {
+        let mut raised = at.clone();
+        let vanishes = !raised.raise(variable);
+        self.spend(raised.work() - at.work());
+        vanishes
     }
 
     /// The polyhedron of a support.
@@ -281,7 +305,7 @@ impl Search<'_> {
 }
 
 /// C_α.
-fn complementary_matrix(lcp: &Lcp<Rational>, support: &[bool]) -> DMatrix<Rational> {
+pub(super) fn complementary_matrix(lcp: &Lcp<Rational>, support: &[bool]) -> DMatrix<Rational> {
     DMatrix::from_fn(lcp.size(), lcp.size(), |i, j| if support[j] { -lcp.matrix[(i, j)].clone() } else { ratio(i64::from(i == j), 1) })
 }
 

@@ -141,3 +141,38 @@ fn a_wrong_witness_of_infeasibility_is_seen() {
     assert_eq!(infeasible(&lcp(1, &[-1], &[1])), None);
     assert!(!is_infeasible_by(&lcp(1, &[1], &[-1]), &DVector::from_element(1, ratio(1, 1))), "Mᵀy = 1");
 }
+
+/// Whether a solution is one of these points or on one of these polyhedra.
+fn covers(lcp: &Lcp<Rational>, cover: &Looked, z: &DVector<Rational>) -> bool {
+    let w = lcp.slack(z);
+    let on = |support: &[bool]| support.iter().enumerate().all(|(j, inside)| if *inside { w[j].is_zero() } else { z[j].is_zero() });
+    cover.set.points.contains(z) || cover.wide.iter().any(|(support, _)| on(support))
+}
+
+proptest! {
+    #[test]
+    fn cones_that_are_passed_over_hold_nothing_that_the_others_do_not(
+        entries in proptest::collection::vec(-2i64..3, 30), size in 1usize..6, zeros in 0i64..3,
+    ) {
+        let kept = |x: i64| if x.abs() <= zeros { 0 } else { x };
+        let problem = lcp(size, &entries.iter().map(|x| kept(*x)).cycle().take(size * size).collect::<Vec<_>>(), &entries[30 - size..]);
+        let [whole, cover] = [Until::End, Until::Cover].map(|until| looked(&problem, until));
+        prop_assert!(cover.set.points.iter().all(|z| residuals(&problem, z).vanish()));
+        let ends = whole.wide.iter().flat_map(|(_, family)| {
+            let end = family.other_end(&problem);
+            [(&family.point + &end) * ratio(1, 2), end]
+        });
+        for z in whole.set.points.iter().cloned().chain(ends) {
+            prop_assert!(covers(&problem, &cover, &z), "{}", z);
+        }
+        prop_assert_eq!(whole.set.families.is_empty(), cover.set.families.is_empty());
+    }
+}
+
+#[test]
+fn the_zero_problem_is_covered_by_one_cone() {
+    // every z ≥ 0: all of w vanishes everywhere, and none of the cones is lost
+    let cover = looked(&lcp(6, &[0; 36], &[0; 6]), Until::Cover);
+    assert_eq!((cover.wide.len(), cover.cones), (1, 7));
+    assert!(cover.wide[0].0.iter().all(|inside| *inside));
+}

@@ -94,20 +94,35 @@ impl Dictionary {
         while let Some(row) = self.row_of(variable) {
             let falls = |c: &usize| self.rows[row][*c] > IBig::ZERO;
             let Some(column) = (0..self.free.len()).filter(falls).min_by_key(|&c| self.free[c]) else { return };
-            let leaving = self.leaving(row, column);
+            let leaving = self.leaving(Some(row), column).expect("the row itself is one");
             self.pivot(leaving, column);
         }
     }
 
-    /// The row of the smallest ratio b/T; of several the preferred one, then that of the first variable.
-    fn leaving(&self, preferred: usize, column: usize) -> usize {
+    /// Makes a variable larger until it is positive; false if it is zero everywhere.
+    pub(super) fn raise(&mut self, variable: usize) -> bool {
+        while !self.is_positive(variable) {
+            let column = match self.row_of(variable) {
+                Some(row) => (0..self.free.len()).filter(|&c| self.rows[row][c] < IBig::ZERO).min_by_key(|&c| self.free[c]),
+                None => self.free.iter().position(|&v| v == variable),
+            };
+            let Some(column) = column else { return false };
+            // without a row that ends it, it grows for ever
+            let Some(leaving) = self.leaving(None, column) else { return true };
+            self.pivot(leaving, column);
+        }
+        true
+    }
+
+    /// The row of the smallest ratio b/T with T > 0, if there is one; of several the preferred one, then that of the first variable.
+    fn leaving(&self, preferred: Option<usize>, column: usize) -> Option<usize> {
         let entry = |i: usize| &self.rows[i][column];
         let candidates = (0..self.rows.len()).filter(|&i| *entry(i) > IBig::ZERO);
         let order = |&i: &usize, &k: &usize| {
             let ratios = (self.right(i) * entry(k)).cmp(&(self.right(k) * entry(i)));
-            ratios.then_with(|| (i != preferred, self.basic[i]).cmp(&(k != preferred, self.basic[k])))
+            ratios.then_with(|| (Some(i) != preferred, self.basic[i]).cmp(&(Some(k) != preferred, self.basic[k])))
         };
-        candidates.min_by(order).expect("the preferred row is one")
+        candidates.min_by(order)
     }
 
     fn right(&self, row: usize) -> &IBig {
@@ -215,5 +230,22 @@ mod tests {
         let mut other = vertex;
         assert!(other.fix(0));
         assert_eq!(other.value(1), ratio(1, 2));
+    }
+
+    #[test]
+    fn a_variable_is_raised_unless_it_is_zero_everywhere() {
+        let first = |matrix: [i64; 4], vector: [i64; 2]| match Dictionary::first(&lcp(2, &matrix, &vector)) {
+            First::Vertex(vertex) => vertex,
+            First::Empty(_) => panic!("feasible"),
+        };
+        // w = −z₁ − z₂ and z₁ + z₂: all but nothing is zero
+        let pinned = first([-1, -1, 1, 1], [0, 0]);
+        assert!((0..4).all(|v| !pinned.clone().raise(v)));
+        // w₁ = 1 − z₁ and w₂ = z₁ − z₁: only w₂ is zero, and z₂ has no bound
+        let open = first([-1, 0, 0, 0], [1, 0]);
+        assert_eq!([0, 1, 2, 3].map(|v| open.clone().raise(v)), [true, false, true, true]);
+        // from a vertex where nothing moves at once: w₁ = z₁ − z₂ ≥ 0, w₂ = z₂ − z₁/2 ≥ 0
+        let cone = first([6, -6, -3, 6], [0, 0]);
+        assert!((0..4).all(|v| cone.clone().raise(v)));
     }
 }

@@ -30,6 +30,7 @@ mod lcp_exact;
 pub mod lcp_proof;
 mod least;
 mod monotone;
+mod moving;
 pub mod natural_map;
 pub mod p_matrix;
 pub mod p_structure;
@@ -39,6 +40,7 @@ mod planted;
 mod polyhedral;
 mod polyhedral_pair;
 pub mod polyhedral_proof;
+pub mod polyhedral_solutions;
 mod rank;
 pub mod residuals;
 #[cfg(feature = "files")]

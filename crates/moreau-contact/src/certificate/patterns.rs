@@ -11,6 +11,7 @@
 //! list is complete: *no* solution, *exactly k* velocities, or a continuum, between two ends of which every mean is a solution.
 
 use super::feasibility::nonnegative_solution;
+use super::moving::moving;
 use crate::problem::{ContactProblem, Law};
 use crate::tolerance::proof::PATTERN_CONTACTS;
 use dashu_ratio::RBig;
@@ -214,22 +215,6 @@ impl Data {
             solutions.found.push(made);
         }
     }
-}
-
-/// d with `system` d = 0, d_j ≥ 0 where the vertex has a zero, and gain·d = 1; none if there is none.
-fn moving(system: &DMatrix<Rational>, vertex: &DVector<Rational>, gain: &[Rational]) -> Option<DVector<Rational>> {
-    let size = vertex.len();
-    let free: Vec<usize> = (0..size).filter(|j| !vertex[*j].is_zero()).collect();
-    let entry = |i: usize, j: usize| {
-        if i < system.nrows() { system[(i, j)].clone() } else { gain.get(j).cloned().unwrap_or(RBig::ZERO) }
-    };
-    let split =
-        DMatrix::from_fn(system.nrows() + 1, size + free.len(), |i, j| if j < size { entry(i, j) } else { -entry(i, free[j - size]) });
-    let right = DVector::from_fn(system.nrows() + 1, |i, _| ratio(i64::from(i == system.nrows()), 1));
-    let found = nonnegative_solution(&split, &right).point()?;
-    let mut direction = found.rows(0, size).into_owned();
-    free.iter().enumerate().for_each(|(place, j)| direction[*j] -= found[size + place].clone());
-    Some(direction)
 }
 
 #[cfg(test)]

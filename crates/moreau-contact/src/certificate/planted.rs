@@ -25,6 +25,8 @@ pub(super) enum Plant {
     Joined,
     /// Impulses of joints in a witness may move the joints.
     Held,
+    /// Solutions that share a complementary cone are taken for one velocity.
+    Still,
 }
 
 /// Whether this mistake is made: never outside of tests.

@@ -63,7 +63,7 @@ pub fn uniqueness(problem: &ContactProblem) -> Uniqueness {
     let edges = problem.compliance().is_some_and(|soft| soft.coordinates == Coordinates::Edge);
     match problem.law() {
         Law::PolyhedralCoulomb { .. } => {
-            Uniqueness::Unknown("uniqueness under polyhedral friction is that of its complementarity problem".into())
+            Uniqueness::Unknown("under polyhedral friction solutions are enumerated: `polyhedral_solutions`".into())
         }
         Law::Coulomb if has_friction(problem) => coulomb(problem),
         _ if edges => Uniqueness::Unknown("the compliance acts on edges".into()),

@@ -11,6 +11,11 @@ pub const CONE_WORK: u64 = 1 << 31;
 /// Set.
 pub const CONE_SOLUTIONS: usize = 1 << 16;
 
+/// Complementary cones with more than one solution each of which it is asked whether velocities move on them: a linear program in fractions
+/// for every row, milliseconds each.
+/// Set.
+pub const WIDE_CONES: usize = 1 << 12;
+
 /// Products of machine words of a pivot over so many entries of so many bits, about: a product of numbers of w words takes w² of them, and
 /// what does not grow with w as much as four more words.
 /// Set.

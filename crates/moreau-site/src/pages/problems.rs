@@ -51,6 +51,7 @@ fn known(uniqueness: Uniqueness) -> Words {
         Uniqueness::Unique => Words { en: "unique", zh: "唯一" },
         Uniqueness::Several => Words { en: "several", zh: "不唯一" },
         Uniqueness::None => Words { en: "no solution", zh: "无解" },
+        Uniqueness::AtMostOne => Words { en: "at most one", zh: "至多一个" },
         Uniqueness::Unknown => Words { en: "unknown", zh: "未知" },
     }
 }
