@@ -71,8 +71,9 @@ A line per problem and solver:
   ρ = 1       ‖r − P_K(r − ŷ)‖/‖q‖ with ρ = 1 kg and q = u_free + shift, the number other collections compare; it decides nothing, and
               polyhedral laws have none
   iterations  sweeps, steps or pivots of that solve
-Below the others stand files that cannot be used, with the reason. In place of the numbers stands why there is no answer; `not solved` is an answer that the certificate rejects; `no solution, as is
-proved` that the problem has none, so that no answer is the right one, and it counts neither as solved nor as not.
+In place of the numbers stands why there is no answer; `not solved` is an answer that the certificate rejects; `no solution, as is
+proved` that the problem has none, so that no answer is the right one, and it counts neither as solved nor as not. Below the others
+stand files that cannot be used, each with the reason.
 
 A line per solver, below:
   shifted geometric mean    exp(mean ln(t + s)) − s over the problems that it solved, s = {shift} ms: ten times as long counts alike for
