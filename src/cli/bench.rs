@@ -105,6 +105,10 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let named = |name: &String| arguments.tolerance.solver(name, None);
     let solvers: Vec<Box<dyn ContactSolver>> = arguments.solver.iter().map(named).collect::<Result<_>>()?;
     let files = several::files(&arguments.problems)?;
+    if let Some([one, other]) = several::twice(&files) {
+        let problem = format!("has {} and {}, which the result could not tell apart", one.display(), other.display());
+        return Err(Error::invalid("PROBLEMS", problem, "rename one of them, or run the command once for each"));
+    }
     arguments.answers.as_deref().map_or(Ok(()), |folder| several::make_folder("--answers", folder))?;
     let bar = progress::parts(files.len() * solvers.len(), "solves");
     let mut all = progress::shown(&bar, || timed(&files, &solvers, arguments, &bar))?;

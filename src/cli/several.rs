@@ -5,6 +5,7 @@ use super::{Answer, Format};
 use crate::report::answers::Answers;
 use crate::report::json::pretty;
 use crate::{Error, Result};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// The ends of files that hold problems.
@@ -38,7 +39,9 @@ pub fn in_folder(folder: &Path, argument: &str) -> Result<Vec<PathBuf>> {
         .collect::<std::io::Result<_>>()
         .map_err(failed)?;
     let ends = |file: &Path| file.extension().is_some_and(|end| ENDS.iter().any(|known| end == *known));
-    let mut problems: Vec<PathBuf> = entries.into_iter().filter(|file| ends(file) && !is_answer(file)).collect();
+    // pipes and folders are no files of problems; a link that leads nowhere is told as one that cannot be read
+    let is_one = |file: &Path| std::fs::metadata(file).map_or(true, |found| found.is_file());
+    let mut problems: Vec<PathBuf> = entries.into_iter().filter(|file| ends(file) && is_one(file) && !is_answer(file)).collect();
     if problems.is_empty() {
         let cure = format!("give a folder with files that end in {}", ENDS.join(", "));
         return Err(Error::invalid(argument, format!("has none in the folder {}", folder.display()), cure));
@@ -56,6 +59,12 @@ fn is_answer(file: &Path) -> bool {
     let text = || std::fs::read_to_string(file).ok();
     let head = || serde_json::from_str::<Head>(&text()?).ok();
     file.extension().is_some_and(|end| end == "json") && head().is_some_and(|head| head.schema.as_deref() == Some("solution/1"))
+}
+
+/// Two of these files that have one name in different folders; what is named by them would be written twice.
+pub fn twice(files: &[PathBuf]) -> Option<[&PathBuf; 2]> {
+    let mut owners = BTreeMap::new();
+    files.iter().find_map(|file| owners.insert(name(file), file).map(|other| [other, file]))
 }
 
 /// The name of a file without its folder.

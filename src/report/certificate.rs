@@ -416,11 +416,12 @@ impl Near {
             lines.push(format!("  and no velocity of a body by more than {most} (m/s, rad/s)"));
         }
         if !bounds.dependent_rows.is_empty() {
-            let rows = match bounds.dependent_rows.len() {
-                1 => "1 row depends".into(),
-                many => format!("{many} rows depend"),
-            };
-            lines.push(format!("  {rows} exactly on others: other impulses give the same velocities"));
+            lines.push(match bounds.dependent_rows.len() {
+                1 => "  1 row depends exactly on others that have no velocity either: its impulse is taken as it is".into(),
+                many => {
+                    format!("  {many} rows depend exactly on others that have no velocity either: their impulses are taken as they are")
+                }
+            });
         }
         lines.extend(self.impulse_set.as_ref().map(|set| match (set.at_least, set.at_most) {
             (_, 0) => "  no other impulses give this velocity".into(),

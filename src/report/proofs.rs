@@ -94,11 +94,13 @@ impl Proofs {
 
     /// For reading, line by line.
     pub fn lines(&self) -> Vec<String> {
-        let mut lines = vec![match self.unique {
-            "solution" => format!("proved: at most one solution: {}", self.reason),
-            "velocity" => format!("proved: all solutions have the same velocities: {}", self.reason),
-            _ => format!("not proved that the velocities are unique: {}", self.reason),
-        }];
+        let mut lines = match self.unique {
+            "solution" => vec![format!("proved: at most one solution: {}", self.reason)],
+            "velocity" => vec![format!("proved: all solutions have the same velocities: {}", self.reason)],
+            // how many there are is told below
+            _ if self.all.is_some() || self.several.is_some() || self.continuum.is_some() => Vec::new(),
+            _ => vec![format!("not proved that the velocities are unique: {}", self.reason)],
+        };
         lines.extend(self.all.as_ref().map(All::line));
         lines.extend(self.several.as_ref().map(Several::line));
         if let Some(ends) = &self.continuum {

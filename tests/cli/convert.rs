@@ -110,7 +110,7 @@ fn what_is_not_kept_is_told_in_a_line() {
     let json = folder.file("rich.json", rich);
     let said = |run: super::Run, form: &str| {
         assert_eq!((run.code, run.message.lines().count()), (0, 1), "{}", run.message);
-        let start = format!(" not kept, as {form} has no place for it: ");
+        let start = format!(" not kept in {form}: ");
         run.message.split_once(&start).unwrap_or_else(|| panic!("{}", run.message)).1.trim_end().to_string()
     };
     let fields = "`mass`, `jacobian` (W, which follows, is kept), `bodies`, `keys`, `provenance`";

@@ -41,7 +41,7 @@ fn line(arguments: &Arguments, file: &Path, answers: &Path, bar: &ProgressBar) -
         Ok(problem) => {
             bar.suspend(|| remark(file, &problem, arguments.common.format));
             let contacts = posed::constraints(&problem);
-            let judged = judged(arguments.tolerance, file, &several::answer_in(answers, file), &problem);
+            let judged = judged(arguments, file, &several::answer_in(answers, file), &problem);
             judged.unwrap_or_else(|reason| AnswerLine::bad_input(name, Some(contacts), reason))
         }
         Err(error) => AnswerLine::bad_input(name, None, several::reason(&error)),
@@ -51,16 +51,17 @@ fn line(arguments: &Arguments, file: &Path, answers: &Path, bar: &ProgressBar) -
 }
 
 /// The certificate of the answer in a line, or what is wrong with the answer.
-fn judged(tolerance: f64, file: &Path, answer: &Path, problem: &Posed) -> std::result::Result<AnswerLine, String> {
+fn judged(arguments: &Arguments, file: &Path, answer: &Path, problem: &Posed) -> std::result::Result<AnswerLine, String> {
     let own = answer.is_file().then_some(answer);
-    if own.is_none() && Kind::of(file) != Kind::Hdf5 {
+    // an answer beside the problem in its own file counts where no folder of answers is named
+    if own.is_none() && (arguments.solution.is_some() || Kind::of(file) != Kind::Hdf5) {
         let (answer, file) = (answer.display(), file.display());
         return Err(format!("has no answer: there is no {answer}; `moreau solve {file} --out {answer}` makes it"));
     }
     let named = |error: Error| own.map_or(String::new(), |own| format!("{}: ", several::name(own))) + &several::reason(&error);
     let (_, solution) = read_answer(file, own, problem).map_err(named)?;
     let residuals = posed::judge(problem, &solution).map_err(named)?;
-    let certificate = posed::doubted(posed::certificate(problem, &solution, residuals, tolerance), problem, &residuals);
+    let certificate = posed::doubted(posed::certificate(problem, &solution, residuals, arguments.tolerance), problem, &residuals);
     let line = AnswerLine::answered(several::name(file), posed::constraints(problem), &certificate, residuals.relative());
     Ok(AnswerLine { answer: own.map(several::name), ..line })
 }

@@ -2,7 +2,7 @@
 
 use super::super::kind::Kind;
 use super::super::output::print_aside;
-use crate::problem::{ContactProblem, StoredAnswers};
+use crate::problem::{ContactProblem, Posed, StoredAnswers};
 use serde::de::IgnoredAny;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -27,23 +27,39 @@ pub fn by_fclib(file: &Path, problem: &ContactProblem, out: Option<&Path>, store
     if replaced && stored.solution.is_some() {
         dropped.push("the stored solution, which the given one replaces".into());
     }
-    dropped.extend(left_out(stored));
+    if is_text_with_rows(file, &Posed::Contacts(Box::new(problem.clone()))) {
+        dropped.push(ROWS.into());
+    }
+    dropped.extend(stored.left_out.iter().map(|path| format!("`{path}`")));
     dropped
 }
 
+/// What a global problem loses where W alone is written.
+const ROWS: &str = "M and H (W, which follows, is kept)";
+
+/// Whether a file of Siconos has M and H.
+fn is_text_with_rows(file: &Path, posed: &Posed) -> bool {
+    matches!(posed, Posed::Contacts(problem) if problem.knows_rows()) && file.extension().is_some_and(|end| end == "dat")
+}
+
 /// What the text of a contact-problem/1 does not keep of a file.
-pub fn by_json(file: &Path, text: &str) -> Vec<String> {
+pub fn by_json(file: &Path, posed: &Posed, text: &str) -> Vec<String> {
     let (before, after) = (fields(&text_of(file)), fields(text));
     let is_lost = |field: &str| before.contains(field) && !after.contains(field);
+    let keeps_rows = after.contains("mass") && after.contains("jacobian");
     let mut dropped: Vec<String> = FIELDS.iter().filter(|(field, _)| is_lost(field)).map(|(_, named)| named.to_string()).collect();
     match StoredAnswers::read(file) {
         Ok(stored) => {
             dropped.extend(stored.solution.as_ref().map(|_| "the stored solution".to_string()));
             dropped.extend((!stored.guesses.is_empty()).then(|| format!("the stored guesses ({})", stored.guesses.len())));
-            dropped.extend(left_out(&stored));
+            let is_kept = |path: &str| keeps_rows && ["fclib_global/M", "fclib_global/H"].contains(&path);
+            dropped.extend(stored.left_out.iter().filter(|path| !is_kept(path)).map(|path| format!("`{path}`")));
         }
         // the problem is whole all the same
         Err(error) => dropped.push(format!("the stored answers, which cannot be read ({error})")),
+    }
+    if !keeps_rows && is_text_with_rows(file, posed) {
+        dropped.push(ROWS.into());
     }
     dropped
 }
@@ -51,13 +67,8 @@ pub fn by_json(file: &Path, text: &str) -> Vec<String> {
 /// Tells what is not kept, where there is something.
 pub fn tell(file: &Path, form: &str, dropped: &[String]) {
     if !dropped.is_empty() {
-        print_aside(&format!("remark: {}: not kept, as {form} has no place for it: {}\n", file.display(), dropped.join(", ")));
+        print_aside(&format!("remark: {}: not kept in {form}: {}\n", file.display(), dropped.join(", ")));
     }
-}
-
-/// Datasets of the file in a word each.
-fn left_out(stored: &StoredAnswers) -> impl Iterator<Item = String> {
-    stored.left_out.iter().map(|path| format!("`{path}`"))
 }
 
 /// The text of a file that is JSON; no other has fields, and what is read once only has none either.

@@ -6,10 +6,10 @@ use super::Answer;
 use super::kind::read_solution;
 use super::limits::MemoryOption;
 use super::output::{keep_files, print, print_aside};
-use super::posed::{contacts, judge};
+use super::posed::judge;
 use super::problem_law::LawOption;
 use crate::files::write_atomically;
-use crate::problem::{Posed, StoredAnswers};
+use crate::problem::{ContactProblem, Posed, StoredAnswers};
 use crate::tolerance::cli::CERTIFY;
 use crate::{Error, Result};
 use std::path::{Path, PathBuf};
@@ -55,9 +55,9 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         let cure = "end --out in .hdf5 or .h5, or keep the answer as a file of its own";
         return Err(Error::invalid("--solution", "is given, and contact-problem/1 has no place for an answer", cure));
     }
-    let posed = arguments.law.pose(read(file)?)?;
-    let problem = contacts(&posed, "PROBLEM")?;
+    let posed = arguments.law.pose(Posed::read(file)?)?;
     if to_fclib {
+        let problem = contacts_of(&posed).map_err(|error| error.in_file(file))?;
         let stored = StoredAnswers::read(file)?;
         let dropped = dropped::by_fclib(file, problem, out, &stored, arguments.solution.is_some());
         let answers = match &arguments.solution {
@@ -68,12 +68,15 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         out.map_or(Ok(()), |out| write_atomically(out, &bytes))?;
         dropped::tell(file, "FCLIB's local form", &dropped);
     } else {
-        let text = problem.to_json();
+        let text = match &posed {
+            Posed::Contacts(problem) => problem.to_json(),
+            Posed::Jointed(problem) => problem.to_json(),
+        };
         match out {
             Some(out) => write_atomically(out, text.as_bytes())?,
             None => print(&text)?,
         }
-        dropped::tell(file, "contact-problem/1", &dropped::by_json(file, &text));
+        dropped::tell(file, "contact-problem/1", &dropped::by_json(file, &posed, &text));
     }
     Ok(Answer::Yes)
 }
@@ -87,15 +90,14 @@ fn is_fclib(out: Option<&Path>) -> Result<bool> {
     }
 }
 
-/// The contacts of a file.
-fn read(file: &Path) -> Result<Posed> {
-    match Posed::read(file)? {
+/// The contacts, beside which there is nothing else.
+fn contacts_of(posed: &Posed) -> Result<&ContactProblem> {
+    match posed {
+        Posed::Contacts(problem) => Ok(problem),
         Posed::Jointed(_) => {
-            let problem = "names limits or bilateral constraints, which no format that is written here has a place for";
-            let cure = "give contacts alone; `moreau solve`, `certify` and `bench` read this file as it is";
-            Err(Error::invalid("kinds", problem, cure).in_file(file))
+            let problem = "names limits or bilateral constraints, which are not written into HDF5 here";
+            Err(Error::invalid("kinds", problem, "end --out in .json; `moreau solve`, `certify` and `bench` read this file as it is"))
         }
-        contacts => Ok(contacts),
     }
 }
 

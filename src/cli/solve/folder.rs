@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 /// Solves the problems of the folder that is asked for.
 ///
 /// # Errors
-/// What is wrong with the arguments or the folders, and [`Error::Write`]; what is wrong with a problem is its line.
+/// What is wrong with the arguments or the folders; what is wrong with a problem, or with writing its answer, is its line.
 pub fn run(arguments: &Arguments, solver: &dyn ContactSolver) -> Result<Answer> {
     let out = folder_of_answers(arguments)?;
     let problems = several::in_folder(&arguments.problem, "PROBLEM")?;
@@ -52,17 +52,18 @@ fn folder_of_answers(arguments: &Arguments) -> Result<&Path> {
 
 /// Refuses answers that would be written over each other or over a problem.
 fn keep_apart(arguments: &Arguments, out: &Path, problems: &[PathBuf]) -> Result<()> {
-    let refused = |problem: String| Err(Error::invalid("PROBLEM", problem, "rename one of the files, or name another folder for --out"));
+    let refused = |problem: String, cure: &str| Err(Error::invalid("PROBLEM", problem, cure));
     let among_problems = is_same_file(&arguments.problem, out);
     let names: BTreeSet<String> = problems.iter().map(|problem| several::name(problem)).collect();
     let mut owners: BTreeMap<String, String> = BTreeMap::new();
     for own in problems {
         let (own, answer) = (several::name(own), several::name(&several::answer_in(out, own)));
         if among_problems && names.contains(&answer) {
-            return refused(format!("holds {answer}, over which the answer of {own} would be written"));
+            let problem = format!("holds {answer}, over which the answer of {own} would be written");
+            return refused(problem, "rename one of the files, or name another folder for --out");
         }
         if let Some(other) = owners.insert(answer.clone(), own.clone()) {
-            return refused(format!("holds {other} and {own}, whose answers would both be {answer}"));
+            return refused(format!("holds {other} and {own}, whose answers would both be {answer}"), "rename one of the files");
         }
     }
     Ok(())
@@ -89,7 +90,9 @@ fn told(outcome: Result<Outcome>, (name, contacts): (String, usize), arguments: 
     match outcome {
         Ok(Outcome::Answer(answered)) => {
             let certificate = answered.certificate(arguments.tolerance.accepted());
-            write_atomically(file, answered.written()?.as_bytes())?;
+            if let Err(error) = write_atomically(file, answered.written()?.as_bytes()) {
+                return Ok(AnswerLine::bad_input(name, Some(contacts), several::reason(&error)));
+            }
             let line = AnswerLine::answered(name, contacts, &certificate, answered.relative());
             Ok(AnswerLine { answer: Some(several::name(file)), ..line })
         }

@@ -127,6 +127,11 @@ impl BlockElimination {
         self.factor.compute(&plan.tree, is_symmetric, &mut self.work, |node, front| assemble(w, slopes, plan, node, is_symmetric, front))
     }
 
+    /// Whether the last J was not factored for want of memory or time, and may be regular.
+    pub(super) fn was_left(&self) -> bool {
+        self.factor.was_left
+    }
+
     /// The x with J x = b, of the last J that was factored and the same W.
     ///
     /// # Panics

@@ -33,6 +33,8 @@ pub(super) struct Factor {
     upper: Vec<f64>,
     /// The exchanges of every node's pivot rows, one after the other, where J is not symmetric.
     exchanged: Vec<usize>,
+    /// Whether the last one was left for want of memory or time, and says nothing of its pivots.
+    pub was_left: bool,
 }
 
 /// Memory that factoring and solving use again.
@@ -57,7 +59,8 @@ impl Factor {
     ) -> bool {
         let need = tree.need();
         let is_allowed = memory::require("eliminating by fronts", need.bytes(is_symmetric)).is_ok();
-        if tree.is_given_up || !is_allowed {
+        self.was_left = tree.is_given_up || !is_allowed;
+        if self.was_left {
             return false;
         }
         let keeps = need.left <= KEPT;
@@ -86,7 +89,8 @@ impl Factor {
                 true => front::cholesky(&mut work.front, size, node.pivots),
                 false => front::lu(&mut work.front, size, node.pivots, exchanged, &mut work.copied),
             };
-            if !is_regular || watch::is_over() {
+            self.was_left = watch::is_over();
+            if !is_regular || self.was_left {
                 return false;
             }
             self.store(node, &work.front);

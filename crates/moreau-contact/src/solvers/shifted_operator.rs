@@ -83,6 +83,8 @@ impl<'a> ShiftedOperator<'a> {
                 let mut factor = BlockElimination::default();
                 if factor.factor(blocks, &self.slopes(shift), *symmetric) {
                     Ok(Shifted::Blocks(Box::new(factor)))
+                } else if factor.was_left() {
+                    Err(Error::limit(solver, "left a system unfactored for want of memory or time; allow more, or use pgs"))
                 } else {
                     Err(indefinite(solver))
                 }
