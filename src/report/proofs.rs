@@ -65,7 +65,7 @@ impl Proofs {
     pub fn new(problem: &ContactProblem, exists: bool, answers: impl FnOnce() -> Vec<Solution>) -> Result<Self> {
         let mut known = Enumerated::of(problem).unless_contradicted(exists);
         let (unique, reason) = known.unique.take().unwrap_or_else(|| told(uniqueness(problem)));
-        let infeasible = if exists { None } else { infeasible(problem).map(|found| Refuted::new(found, of_which(problem))) };
+        let infeasible = if exists { None } else { infeasible(problem).map(|found| Refuted::new(found, "")) };
         if unique == "unknown" && known.is_open() && infeasible.is_none() {
             let met = std::mem::take(&mut known.met);
             known.several = Several::among(problem, &met.into_iter().chain(answers()).collect::<Vec<_>>())?;
@@ -137,7 +137,7 @@ fn told(found: Uniqueness) -> (&'static str, String) {
 /// That there is no solution, in a line; nothing where no witness is found.
 pub fn no_solution(problem: &ContactProblem) -> Option<String> {
     let found = infeasible(problem)?;
-    Some(in_a_line(&found, if found.of_mechanism { MECHANISM } else { of_which(problem) }))
+    Some(in_a_line(&found, if found.of_mechanism { MECHANISM } else { "" }))
 }
 
 /// That all patterns of few contacts were tried and none is a solution, in a line; nothing where one is, or there are too many.
@@ -148,16 +148,13 @@ pub fn none_of_the_patterns(problem: &ContactProblem) -> Option<String> {
         Ok(all) => in_plane(all),
         Err(_) => velocities(problem).ok().and_then(in_space),
     }?;
-    let of_which = of_which(problem);
-    Some(format!(
-        "proved in fractions{of_which}: the problem has no solution; all {patterns} patterns of what its contacts may do were tried\n"
-    ))
+    Some(format!("proved in fractions: the problem has no solution; all {patterns} patterns of what its contacts may do were tried\n"))
 }
 
 /// The same of a problem with joints: they contradict the rest by more than rounding.
 pub fn no_solution_jointed(problem: &JointedProblem) -> Option<String> {
     let found = infeasible_jointed(problem).ok().flatten().filter(|found| found.relative > AGREES)?;
-    Some(in_a_line(&found, STORED))
+    Some(in_a_line(&found, if found.of_mechanism { MECHANISM } else { STORED }))
 }
 
 fn in_a_line(found: &Infeasible, of_which: &str) -> String {
@@ -180,8 +177,3 @@ const MECHANISM: &str = " of W = H M̂⁻¹ Hᵀ, not rounded";
 
 /// With joints W alone is kept.
 const STORED: &str = " of W as it is stored";
-
-/// Of which W it is proved, where there are two: W of mass and Jacobian is rounded before the witness is checked.
-fn of_which(problem: &ContactProblem) -> &'static str {
-    if problem.knows_rows() { " of W as it is rounded from mass and Jacobian" } else { "" }
-}

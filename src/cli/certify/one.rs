@@ -11,6 +11,7 @@ use crate::certificate::impulse_set::impulse_set;
 use crate::certificate::jointed_proof::{NearJointed, backward_jointed, forward_jointed};
 use crate::certificate::lcp_proof::{Count, count_with, lcp_of, prove};
 use crate::certificate::polyhedral_proof::prove_polyhedral;
+use crate::certificate::true_operator::is_stored_exactly;
 use crate::problem::{ContactProblem, JointedProblem, Law, Lcp, Posed, Solution};
 use crate::problems::{from_several_starts, near};
 use crate::report::certificate::Certificate;
@@ -55,7 +56,7 @@ pub fn judged(arguments: &Arguments, posed: &Posed) -> Result<(String, bool)> {
             Forward::NotProved(_) => None,
         };
         certificate = certificate.with_solution_near(&near, impulses);
-        if matches!(problem.law(), Law::PolyhedralCoulomb { .. }) {
+        if matches!(problem.law(), Law::PolyhedralCoulomb { .. }) && is_stored_exactly(problem) {
             let answer = prove_polyhedral(problem, &solution).map_err(|error| error.in_file(file))?;
             certificate = certificate.with_lcp(LcpProved::polyhedral(&problem.stewart_trinkle_lcp()?, &answer));
         }

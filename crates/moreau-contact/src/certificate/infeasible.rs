@@ -18,6 +18,7 @@
 use super::feasibility::nonnegative_solution;
 use super::kernel_witness;
 use super::planted::{Plant, planted};
+use super::true_operator::TrueOperator;
 use crate::operator::Islands;
 use crate::problem::{ContactProblem, Coordinates, Law};
 use crate::tolerance::proof::{WITNESS_CONTACTS, WITNESS_ENTRIES, WITNESS_ROUND, WITNESS_STEPS, WITNESS_WORK};
@@ -69,8 +70,11 @@ pub(super) fn of_rows(problem: &ContactProblem, joined: &[bool]) -> Option<Infea
     if on_edges || all_soft {
         return None;
     }
-    let sought = Sought { problem, joined };
-    let of_w = sought.of_islands().and_then(|witness| Some((sought.check(&witness)?, witness, false)));
+    let w = TrueOperator::of(problem);
+    let (is_known, is_made) = (!matches!(w, TrueOperator::Unknown), matches!(w, TrueOperator::Made(_)));
+    let sought = Sought { problem, joined, made: if let TrueOperator::Made(made) = w { Some(made) } else { None } };
+    let of_w = || sought.of_islands().and_then(|witness| Some((sought.check(&witness)?, witness, is_made)));
+    let of_w = if is_known { of_w() } else { None };
     let found = of_w.or_else(|| sought.of_mechanism().map(|(product, witness)| (product, witness, true)));
     found.map(|(product, witness, of_mechanism)| {
         let terms = witness.iter().zip(sought.free()).fold(RBig::ZERO, |sum, (p, q)| sum + (p * q).magnitude());
@@ -80,13 +84,20 @@ pub(super) fn of_rows(problem: &ContactProblem, joined: &[bool]) -> Option<Infea
 
 /// p·(u_free + shift), if p is a witness.
 pub fn check(problem: &ContactProblem, witness: &DVector<Rational>) -> Option<Rational> {
-    Sought { problem, joined: &vec![false; problem.contacts()] }.check(witness)
+    let made = match TrueOperator::of(problem) {
+        TrueOperator::Stored => None,
+        TrueOperator::Made(made) => Some(made),
+        TrueOperator::Unknown => return None,
+    };
+    Sought { problem, joined: &vec![false; problem.contacts()], made }.check(witness)
 }
 
 /// A problem, or some of its contacts, and which of them are bilateral rows.
 struct Sought<'a> {
     problem: &'a ContactProblem,
     joined: &'a [bool],
+    /// W in fractions, where mass and Jacobian make it.
+    made: Option<DMatrix<Rational>>,
 }
 
 type Generator = Vec<(usize, Rational)>;
@@ -127,7 +138,10 @@ impl Sought<'_> {
     fn of_island(&self, islands: &Islands, members: &[usize]) -> Option<DVector<Rational>> {
         let rows = self.problem.rows_per_contact();
         let joined: Vec<bool> = members.iter().map(|k| self.joined[*k]).collect();
-        let own = Sought { problem: &self.problem.island(islands, members), joined: &joined }.of_joined()?;
+        let place = |row: usize| members[row / rows] * rows + row % rows;
+        let size = members.len() * rows;
+        let made = self.made.as_ref().map(|w| DMatrix::from_fn(size, size, |i, j| w[(place(i), place(j))].clone()));
+        let own = Sought { problem: &self.problem.island(islands, members), joined: &joined, made }.of_joined()?;
         let mut witness = DVector::from_element(self.problem.rows(), RBig::ZERO);
         for (place, k) in members.iter().enumerate() {
             (0..rows).for_each(|row| witness[k * rows + row] = own[place * rows + row].clone());
@@ -294,7 +308,9 @@ impl Sought<'_> {
     fn products(&self, generators: &[Generator]) -> Vec<DVector<Rational>> {
         let at = |generator: &Generator, column: usize| {
             let soft = |row: usize| if row == column { exact(self.problem.row_compliance(row)) } else { RBig::ZERO };
-            let moved = |row: usize| exact(self.problem.entry(row, column)) + soft(row);
+            let entry =
+                |row: usize| self.made.as_ref().map_or_else(|| exact(self.problem.entry(row, column)), |w| w[(row, column)].clone());
+            let moved = |row: usize| entry(row) + soft(row);
             generator.iter().fold(RBig::ZERO, |sum, (row, part)| sum + part * moved(*row))
         };
         generators.iter().map(|generator| DVector::from_fn(self.problem.rows(), |column, _| at(generator, column))).collect()

@@ -161,7 +161,7 @@ fn a_witness_that_moves_a_joint_is_not_believed() {
     let w = DMatrix::from_row_slice(2, 2, &[1.0, -1.0, -1.0, 1.0]);
     let problem = ContactProblem::new(w, dvector![-1.0, 0.0]).law(Law::Frictionless).rows_per_contact(1).build().unwrap();
     let joined = [false, true];
-    let sought = Sought { problem: &problem, joined: &joined };
+    let sought = Sought { problem: &problem, joined: &joined, made: None };
     let both = DVector::from_element(2, RBig::ONE);
     assert_eq!(sought.check(&both), Some(-RBig::ONE), "the rod holds the body where it is, and it goes on into the wall");
     let other = DVector::from_vec(vec![RBig::ONE, ratio(3, 2)]);
@@ -169,7 +169,7 @@ fn a_witness_that_moves_a_joint_is_not_believed() {
     let believed = |joined: [bool; 2], p: [i64; 2]| {
         let problem = ContactProblem::new(DMatrix::from_row_slice(2, 2, &[0.0, -1.0, -1.0, 1.0]), dvector![-1.0, 0.0]);
         let problem = problem.law(Law::Frictionless).rows_per_contact(1).build().unwrap();
-        Sought { problem: &problem, joined: &joined }.check(&DVector::from_vec(p.map(|x| ratio(x, 1)).to_vec())).is_some()
+        Sought { problem: &problem, joined: &joined, made: None }.check(&DVector::from_vec(p.map(|x| ratio(x, 1)).to_vec())).is_some()
     };
     // the rod is pushed by the wall's impulse and gives way: only a limit would not
     assert!(!believed([false, true], [1, 0]) && believed([false, false], [1, 0]));

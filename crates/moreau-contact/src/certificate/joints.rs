@@ -91,6 +91,14 @@ fn of_contacts(problem: &JointedProblem, solution: &Solution) -> Result<Residual
     let unheld = Unheld { rounding: rounding.as_slice(), data: unheld.as_slice(), fastest };
     let mut residuals = of_held(&given, &Solution { impulse, velocity, ..solution.clone() }, unheld)?;
     let pushing = problem.pushing();
+    // what the joints hold is no velocity that was given
+    let asked = |k: &usize| {
+        let row = problem.rows_of(*k).start;
+        solution.impulse[row].abs() * problem.delassus()[(row, row)] / fastest
+    };
+    if fastest > 0.0 {
+        residuals.judged.loaded = pushing.iter().map(asked).fold(residuals.judged.loaded, f64::max);
+    }
     let Judged { primal, dual, complementarity, normal, tangential, velocity, .. } = &mut residuals.judged;
     for worst in [primal, dual, complementarity, normal, tangential, velocity] {
         worst.contact = pushing.get(worst.contact).copied().unwrap_or(0);

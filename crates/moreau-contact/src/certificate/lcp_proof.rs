@@ -15,6 +15,7 @@ use super::lcp_exact::{ExactSolution, WrongSign, exact_near, support};
 use super::monotone;
 use super::p_matrix::p_matrix;
 use super::p_structure::surely_p;
+use super::true_operator::is_stored_exactly;
 use super::verified_cholesky::is_positive_definite;
 use crate::problem::{ContactProblem, Lcp};
 use crate::tolerance::complementarity::{EXACT_ROWS, FEASIBLE_ROWS, OPEN_ROWS};
@@ -81,11 +82,12 @@ impl Count {
     }
 }
 
-/// The LCP that a problem is, number by number: one row per contact, without friction under any round law, compliance and shift.
+/// The LCP that a problem is, number by number: one row per contact, without friction under any round law, compliance and shift. None where
+/// mass and Jacobian make a W that is not the stored one to the last bit.
 pub fn lcp_of(problem: &ContactProblem) -> Option<Lcp<f64>> {
     let plain = problem.is_frictionless() && problem.rows_per_contact() == 1 && problem.compliance().is_none();
     let is_lcp = plain && problem.shift().iter().all(|shift| *shift == 0.0);
-    is_lcp.then(|| Lcp::new(problem.dense().clone(), problem.free_velocity().clone()))
+    (is_lcp && is_stored_exactly(problem)).then(|| Lcp::new(problem.dense().clone(), problem.free_velocity().clone()))
 }
 
 fn whole(lcp: &Lcp<f64>) -> Lcp<Rational> {

@@ -49,6 +49,7 @@ mod scales;
 pub mod several;
 pub mod spatial;
 mod step;
+pub mod true_operator;
 pub mod uniqueness;
 pub mod verified_cholesky;
 

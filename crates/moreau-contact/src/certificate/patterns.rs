@@ -12,6 +12,7 @@
 
 use super::feasibility::nonnegative_solution;
 use super::moving::moving;
+use super::true_operator::{TrueOperator, UNKNOWN};
 use crate::problem::{ContactProblem, Law};
 use crate::tolerance::proof::PATTERN_CONTACTS;
 use dashu_ratio::RBig;
@@ -66,7 +67,8 @@ pub fn solutions(problem: &ContactProblem) -> Result<Solutions> {
         let text = format!("all patterns are tried with hard contacts in the plane, {PATTERN_CONTACTS} at most");
         return Err(Error::Unsupported(text));
     }
-    let data = Data::new(problem);
+    let w = TrueOperator::of(problem).matrix(problem).ok_or_else(|| Error::Unsupported(UNKNOWN.into()))?;
+    let data = Data::new(problem, w);
     let mut solutions = Solutions { found: Vec::new(), continuum: None, patterns: 0 };
     let kinds: Vec<&[Kind]> = (0..problem.contacts()).map(|k| data.kinds(k)).collect();
     let mut digits = vec![0; kinds.len()];
@@ -99,12 +101,12 @@ struct Data {
 }
 
 impl Data {
-    fn new(problem: &ContactProblem) -> Self {
+    fn new(problem: &ContactProblem, w: DMatrix<Rational>) -> Self {
         let rows = problem.rows_per_contact();
         let mu = |mu: &f64| if rows == 1 { RBig::ZERO } else { exact(problem.law().cone_friction(*mu)) };
         Data {
             rows,
-            w: problem.dense().map(exact),
+            w,
             free: problem.free_velocity().map(exact),
             shift: problem.shift().map(exact),
             friction: problem.friction().iter().map(mu).collect(),

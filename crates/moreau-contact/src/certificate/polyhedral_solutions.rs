@@ -13,6 +13,7 @@ use super::complementary_cones::{Family, LARGEST, Until, complementary_matrix, l
 use super::moving::moving;
 use super::patterns::Exact;
 use super::planted::{Plant, planted};
+use super::true_operator::{TrueOperator, UNKNOWN};
 use crate::cones::polyhedral::direction;
 use crate::problem::stewart_trinkle::{generators, lcp};
 use crate::problem::{ContactProblem, Law, Lcp};
@@ -63,7 +64,8 @@ pub fn polyhedral_solutions(problem: &ContactProblem) -> Result<PolyhedralSoluti
         let text = format!("complementary cones of {unknowns} unknowns λ, β, σ; all of them are looked at up to {LARGEST}");
         return Err(Error::Unsupported(text));
     }
-    Ok(Data::new(problem, directions).all())
+    let w = TrueOperator::of(problem).matrix(problem).ok_or_else(|| Error::Unsupported(UNKNOWN.into()))?;
+    Ok(Data::new(problem, w, directions).all())
 }
 
 /// The problem in fractions.
@@ -77,10 +79,9 @@ struct Data {
 }
 
 impl Data {
-    fn new(problem: &ContactProblem, directions: usize) -> Self {
+    fn new(problem: &ContactProblem, w: DMatrix<Rational>, directions: usize) -> Self {
         let (contacts, rows) = (problem.contacts(), problem.rows());
         let free = problem.free_velocity().map(exact);
-        let w: DMatrix<Rational> = problem.dense().map(exact);
         if contacts == 0 {
             let none = DMatrix::from_element(0, 0, Rational::ZERO);
             return Data { lcp: Lcp::new(none.clone(), free.clone()), generators: none.clone(), moved: none, free };

@@ -123,7 +123,7 @@ fn every_mean_of_the_two_ends_is_a_solution() {
         let problem = drawn(&mut draw);
         let Some([one, other]) = polyhedral_solutions(&problem).unwrap().continuum else { continue };
         assert_ne!(one.velocity, other.velocity);
-        let data = Data::new(&problem, 2);
+        let data = Data::new(&problem, problem.dense().map(exact), 2);
         let planar = |r: &DVector<Rational>| {
             let contacts = problem.contacts();
             let y = &data.free + problem.dense().map(exact) * r;

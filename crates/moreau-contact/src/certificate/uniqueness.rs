@@ -25,7 +25,7 @@
 
 use super::definite::surely_definite;
 use super::definiteness::{Definiteness, definiteness};
-use super::forward::times;
+use super::forward::{times, uncertainty};
 use crate::problem::{ContactProblem, Coordinates, Law};
 use crate::tolerance::proof::{EXACT_ROWS, ROWS, WEIGHTS, enlarged, product};
 use moreau_exact::scalar::{Rational, exact};
@@ -86,11 +86,41 @@ fn pressing(problem: &ContactProblem) -> (Vec<usize>, DMatrix<f64>) {
     (rows, matrix)
 }
 
+/// How far the W of mass and Jacobian may be from the stored one, at the rows that may have an impulse; none where W is the problem.
+struct Apart(Option<DMatrix<f64>>);
+
+fn apart(problem: &ContactProblem) -> Apart {
+    let (rows, _) = pressing(problem);
+    Apart(uncertainty(problem).map(|all| DMatrix::from_fn(rows.len(), rows.len(), |i, j| all[(rows[i], rows[j])])))
+}
+
+impl Apart {
+    /// E v, where |E| bounds the difference; zeros where there is none.
+    fn times(&self, v: &[f64]) -> Vec<f64> {
+        self.0.as_ref().map_or_else(|| vec![0.0; v.len()], |e| times(e, v))
+    }
+
+    /// (E + Eᵀ) v.
+    fn both(&self, v: &[f64]) -> Vec<f64> {
+        let transposed = self.0.as_ref().map_or_else(|| vec![0.0; v.len()], |e| times(&e.transpose(), v));
+        self.times(v).into_iter().zip(transposed).map(|(one, other)| enlarged(one + other, 1)).collect()
+    }
+
+    /// Eᵀ v.
+    fn transposed(&self, v: &[f64]) -> Vec<f64> {
+        self.0.as_ref().map_or_else(|| vec![0.0; v.len()], |e| times(&e.transpose(), v))
+    }
+}
+
 fn convex(problem: &ContactProblem) -> Uniqueness {
     let (_, matrix) = pressing(problem);
     // ½(A + Aᵀ) with a rounding each at the diagonal, the sum and the half
     let symmetric = (&matrix + matrix.transpose()) * 0.5;
-    let unsure = |v: &[f64]| times(&symmetric, v).into_iter().map(|size| enlarged(product(4) * size, 1)).collect();
+    let apart = apart(problem);
+    let unsure = |v: &[f64]| -> Vec<f64> {
+        let rounded = times(&symmetric, v).into_iter().map(|size| enlarged(product(4) * size, 1));
+        rounded.zip(apart.both(v)).map(|(size, apart)| enlarged(size + apart, 2)).collect()
+    };
     if surely_definite(&symmetric, unsure) {
         return Uniqueness::Solution("the law is convex and W + R is positive definite");
     }
@@ -101,6 +131,9 @@ fn convex(problem: &ContactProblem) -> Uniqueness {
 fn semidefinite(problem: &ContactProblem) -> Uniqueness {
     if problem.dynamics().is_some_and(|dynamics| dynamics.mass == dynamics.mass.transpose()) {
         return Uniqueness::Velocity("the law is convex and W = H M̂⁻¹ Hᵀ is positive semidefinite");
+    }
+    if problem.knows_rows() {
+        return Uniqueness::Unknown("the mass is not symmetric, or there are too many velocities".into());
     }
     if problem.rows() > EXACT_ROWS {
         return Uniqueness::Unknown(format!("whether W is positive semidefinite is decided in fractions to {EXACT_ROWS} rows"));
@@ -125,6 +158,7 @@ fn coulomb(problem: &ContactProblem) -> Uniqueness {
         (diagonal(k * d) * tangential).sqrt()
     };
     let sizes: Vec<f64> = (0..problem.contacts()).map(size).collect();
+    let apart = apart(problem);
     for weight in WEIGHTS {
         let alpha = |row: usize| weight * sizes[row / d];
         let normal: Vec<f64> = rows.iter().map(|row| if row.is_multiple_of(d) { mu(*row) * alpha(*row) } else { 0.0 }).collect();
@@ -144,7 +178,13 @@ fn coulomb(problem: &ContactProblem) -> Uniqueness {
             let weighted: Vec<f64> = along.iter().zip(&tangential).map(|(x, t)| enlarged(x * t, 1)).collect();
             let parts = [along.clone(), times(&transposed, v), times(&transposed, &weighted)];
             let sum = |i: usize| parts.iter().map(|part| part[i]).sum::<f64>() + normal[i] * v[i];
-            (0..v.len()).map(|i| enlarged(product(rows.len() + 8) * sum(i), 4)).collect()
+            // with A + E in place of A:  E + Eᵀ + |A|ᵀ T E + Eᵀ T (|A| + E)
+            let moved = apart.times(v);
+            let weigh = |of: &[f64]| of.iter().zip(&tangential).map(|(x, t)| enlarged(x * t, 1)).collect::<Vec<f64>>();
+            let whole: Vec<f64> = along.iter().zip(&moved).map(|(one, other)| enlarged(one + other, 1)).collect();
+            let more = [apart.both(v), times(&transposed, &weigh(&moved)), apart.transposed(&weigh(&whole))];
+            let apart = |i: usize| enlarged(more.iter().map(|part| part[i]).sum::<f64>(), 3);
+            (0..v.len()).map(|i| enlarged(product(rows.len() + 8) * sum(i) + apart(i), 5)).collect()
         };
         if surely_definite(&form, unsure) {
             return Uniqueness::Solution("friction is small beside how W couples normal and tangential rows");

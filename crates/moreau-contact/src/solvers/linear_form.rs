@@ -8,6 +8,7 @@
 //! ```
 
 use crate::cones::polyhedral;
+use crate::memory;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Lcp, Solution};
 use moreau_exact::doubled::residual;
 use moreau_exact::{Error, Result};
@@ -20,6 +21,9 @@ pub(super) enum Form {
     StewartTrinkle { directions: usize },
     Edges { directions: usize },
 }
+
+/// Square matrices of the unknowns that a method of pivots holds: M, M scaled, and a tableau twice as wide as it is high with its copy.
+const TABLEAUS: u128 = 6;
 
 impl Form {
     /// The LCP of a problem.
@@ -82,6 +86,10 @@ impl Form {
         if let Form::StewartTrinkle { .. } = self {
             return problem.stewart_trinkle_lcp();
         }
+        let (rows, unknowns) = (problem.rows(), self.unknowns(problem));
+        let matrices = [(2, rows, rows), (2, rows, unknowns), (TABLEAUS, unknowns, unknowns)];
+        let bytes = matrices.map(|(times, n, m)| memory::matrix(n, m).saturating_mul(times)).into_iter().fold(0, u128::saturating_add);
+        memory::require("this problem as a linear complementarity problem", bytes)?;
         let generators = self.generators(problem);
         let mut matrix = generators.tr_mul(&(problem.law_delassus()? * &generators));
         if let Some(Compliance { coordinates: Coordinates::Edge, diagonal }) = problem.compliance() {

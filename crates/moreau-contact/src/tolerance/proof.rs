@@ -176,3 +176,11 @@ pub const SMALLEST_GAIN: f64 = 1.0 / (1_u64 << 40) as f64;
 /// Part of the largest entry below which a singular value of W is taken for zero where impulses are guessed, 2⁻³⁰; the proof follows.
 /// Set.
 pub const UNDETERMINED: f64 = 1.0 / (1_u64 << 30) as f64;
+
+/// Most rows of a problem whose W of mass and Jacobian is made in fractions.
+/// Set.
+pub const MADE_ROWS: usize = 300;
+
+/// Most velocities that a mass couples of which the inverse is taken in fractions.
+/// Set.
+pub const COUPLED_VELOCITIES: usize = 24;

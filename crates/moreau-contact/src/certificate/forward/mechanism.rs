@@ -55,7 +55,7 @@ fn along(group: &[usize], jacobian: &DMatrix<f64>, row: usize, x: impl Fn(usize)
 }
 
 /// The velocities that M̂ couples, directly or through others.
-fn groups(mass: &DMatrix<f64>) -> Vec<Vec<usize>> {
+pub(in crate::certificate) fn groups(mass: &DMatrix<f64>) -> Vec<Vec<usize>> {
     let mut group: Vec<usize> = (0..mass.nrows()).collect();
     for (i, j) in (0..mass.nrows()).flat_map(|i| (0..i).map(move |j| (i, j))) {
         if (mass[(i, j)] != 0.0 || mass[(j, i)] != 0.0) && group[i] != group[j] {

@@ -36,7 +36,7 @@ pub(super) use affine::times;
 use case::Case;
 pub(super) use dependent::independent_rows;
 use krawczyk::{Enclosed, System};
-pub(super) use mechanism::uncertainty;
+pub(super) use mechanism::{groups, uncertainty};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use pattern::{Contact, of, pressed_rows, read_off};

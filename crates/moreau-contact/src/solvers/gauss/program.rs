@@ -57,7 +57,12 @@ impl GaussProgram {
             return Err(super::super::not_convex(solver, problem.law()));
         }
         super::super::require_symmetry(solver, problem)?;
-        let dynamics = problem.dynamics().ok_or_else(|| Error::refused(solver, "needs mass and jacobian, not only W"))?;
+        let needs = if problem.knows_rows() {
+            "takes mass and jacobian as matrices, which these are too large for"
+        } else {
+            "needs mass and jacobian, not only W"
+        };
+        let dynamics = problem.dynamics().ok_or_else(|| Error::refused(solver, needs))?;
         let map = rows_of(problem);
         let pieces = pieces(solver, problem)?;
         let offset = &map * (problem.free_velocity() + problem.shift());
