@@ -23,6 +23,16 @@ fn an_answer_in_a_folder_of_problems_is_passed_over() {
 }
 
 #[test]
+fn two_files_of_one_name_are_refused_before_anything_is_timed() {
+    let folder = Folder::new("bench-twice");
+    for place in ["one", "other"] {
+        std::fs::create_dir_all(folder.path(place)).expect("a writable folder");
+        folder.file(&format!("{place}/p.json"), PROBLEM);
+    }
+    moreau(&["bench", &folder.path("one"), &folder.path("other")]).is_refused(&["PROBLEMS", "one/p.json", "other/p.json", "rename"]);
+}
+
+#[test]
 fn a_folder_of_problems_is_timed_and_certified() {
     let folder = Folder::new("bench");
     folder.file("a.json", PROBLEM);

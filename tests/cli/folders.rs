@@ -138,8 +138,12 @@ fn a_solution_in_the_hdf5_of_its_problem_is_its_answer() {
     assert!(run.code == 0 && line(&run, "with.hdf5").contains("stored"), "{}{}", run.output, run.message);
     std::fs::write(folder.path("without.hdf5"), problem.to_fclib(None, None).expect("well formed")).expect("a writable folder");
     let run = moreau(&["certify", &place]);
-    assert!(run.code == 2 && line(&run, "without.hdf5").contains("solution/r"), "{}", run.output);
+    assert!(run.code == 2 && line(&run, "without.hdf5").contains("holds no answer"), "{}", run.output);
     assert!(line(&run, "with.hdf5").ends_with("solved"), "{}", run.output);
+    // where a folder of answers is named no other answer counts
+    std::fs::create_dir_all(folder.path("nothing")).expect("a writable folder");
+    let run = moreau(&["certify", &place, &folder.path("nothing")]);
+    assert!(run.code == 2 && line(&run, "with.hdf5").contains("has no answer"), "{}", run.output);
     // a file of its own goes before the stored one
     folder.file("with.solution.json", r#"{"schema": "solution/1", "impulse": [3, 0, 0]}"#);
     assert!(line(&moreau(&["certify", &place]), "with.hdf5").contains("rejected"));

@@ -64,6 +64,15 @@ fn an_answer_with_the_wrong_sign_of_a_joint_is_rejected_there() {
 }
 
 #[test]
+fn joints_are_converted_to_json_and_read_again() {
+    let folder = Folder::new("joints-converted");
+    let (bob, again) = (folder.file("bob.json", BOB), folder.path("again.json"));
+    assert_eq!(moreau(&["convert", &bob, "--out", &again]).code, 0);
+    let answers = [&bob, &again].map(|problem| moreau(&["solve", problem]).output);
+    assert_eq!(answers[0], answers[1]);
+}
+
+#[test]
 fn what_is_not_done_with_joints_is_refused_by_name() {
     let folder = Folder::new("joints-refused");
     let (bob, block) = (folder.file("bob.json", BOB), folder.file("block.json", PROBLEM));
@@ -71,7 +80,7 @@ fn what_is_not_done_with_joints_is_refused_by_name() {
     assert_eq!(moreau(&["solve", &bob, "--out", &answer]).code, 0);
     let newton = moreau(&["solve", &bob, "--solver", "newton"]);
     assert!(newton.code == 1 && newton.message.contains("once the joints are eliminated"), "{}", newton.message);
-    moreau(&["convert", &bob]).is_refused(&["bob.json", "kinds", "moreau solve"]);
+    moreau(&["convert", &bob, "--out", &folder.path("bob.hdf5")]).is_refused(&["bob.json", "kinds", "moreau solve"]);
     moreau(&["problems", "measure", &bob]).is_refused(&["bob.json", "kinds"]);
     moreau(&["certify", &block, &answer]).is_refused(&["answer.json", "problem"]);
     let rolling = PROBLEM.replace("\"dimension\": 2", "\"dimension\": 4");

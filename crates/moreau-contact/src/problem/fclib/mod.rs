@@ -67,7 +67,7 @@ pub(super) fn read_solution(file: &Path) -> Result<Solution> {
     let open = open(file)?;
     if open.group("solution").is_err() {
         let cure = "give one: `moreau solve` makes one, and `moreau convert --solution` writes it into a file of FCLIB";
-        return Err(Error::invalid("solution", "is missing: the file holds no answer", cure));
+        return Err(Error::invalid("solution/r", "is missing: the file holds no answer", cure));
     }
     let [mut impulse, mut velocity] = [numbers(&open, "solution/r")?, numbers(&open, "solution/u")?];
     if joints::is_given(&open) {
