@@ -115,8 +115,8 @@ fn summary(lines: &[Line]) -> String {
     let count = |is: &dyn Fn(&Line) -> bool| lines.iter().filter(|line| is(line)).count();
     let known = |known: Known| count(&|line| line.uniqueness == known);
     format!(
-        "{} problems of {} to {} contacts; velocity unique for {}, at most one for {}, several for {}, no solution for {}, unknown for {}; three \
-         or more solvers fail at {}",
+        "{} problems of {} to {} contacts; velocity unique for {}, at most one for {}, several for {}, no solution for {}, unknown for {}; \
+         three or more solvers fail at {}",
         lines.len(),
         lines.iter().map(|line| line.contacts).min().unwrap_or(0),
         lines.iter().map(|line| line.contacts).max().unwrap_or(0),

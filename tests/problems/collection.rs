@@ -12,7 +12,8 @@ use std::path::Path;
 const CERTIFIED: usize = 60;
 /// The problems whose only velocity one family of algorithms found.
 const ALONE: [&str; 3] = ["pile-30-associated", "capsules-249-associated", "heap-252-associated"];
-/// The problem with at most one velocity to which no solver has an answer that the certificate accepts: its light boxes carry 10⁷ times their load.
+/// The problem with at most one velocity to which no solver has an answer that the certificate accepts: its light boxes carry 10⁷ times
+/// their load.
 const UNANSWERED: &str = "tower-alternating-12-1e6-drift-associated";
 /// Bytes of one file.
 const LARGEST_FILE: usize = 2_000_000;

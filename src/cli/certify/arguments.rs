@@ -27,9 +27,9 @@ pub struct Arguments {
     /// Prove, in fractions, how far the nearest problem is that impulses near these solve exactly; and by intervals, within which radius
     /// the problem itself has a solution, or why that is not proved, and how many dimensions the impulses with its velocity have; whether
     /// velocities are unique; whether there is no solution at all; how many velocities there are, to six contacts in the plane, three in
-    /// space and 20 unknowns λ, β, σ of polyhedral friction. Of that, besides, how far a solution of its complementarity problem is. Of a linear
-    /// complementarity problem, moreover: how far a solution is, and how many there are; without an answer, the latter alone. Of a problem
-    /// with joints, all of this but the number of velocities.
+    /// space and 20 unknowns λ, β, σ of polyhedral friction. Of that, besides, how far a solution of its complementarity problem is. Of a
+    /// linear complementarity problem, moreover: how far a solution is, and how many there are; without an answer, the latter alone. Of a
+    /// problem with joints, all of this but the number of velocities.
     #[arg(long)]
     pub(super) prove: bool,
     #[command(flatten)]

@@ -1,7 +1,8 @@
 //! A solution near an answer, proved, and where the impulses of the answer lie on a border, from others with the same velocity.
 //!
 //! ```text
-//!     r′ ∈ { least norm with u ,  interior points }        ‖u(r′) − u‖∞ ≤ d · max(|u|, |u_free|)  [m/s] :      forward from r′, as far from (r, u)
+//!     r′ ∈ { least norm with u ,  interior points } ,    ‖u(r′) − u‖∞ ≤ d · max(|u|, |u_free|)  [m/s] :
+//!     forward from r′, and its distances from (r, u)
 //! ```
 //! Redundant contacts share a load in many ways, and an answer that leaves one of them without any is on the border between opening and
 //! pressing. Which impulses a proof begins from decides only whether it ends; what it proves are distances from the answer.

@@ -278,19 +278,21 @@ fn wrong_sizes_and_what_is_no_number_are_refused() {
     }
 }
 
-/// Rows a, b and a + b of one body of 7 kg along a and 3 kg along b: of H they are dependent, of W, with 1/7 + 1/3, only but for rounding.
+/// Rows a, b and a + b of one body of 7 kg along one axis and 3 kg along another: of H they are dependent, of the rounded W they are not.
 #[test]
 fn rows_that_repeat_others_are_told_by_mass_and_rows_and_not_by_a_rounded_w() {
-    let rows = dmatrix![0.0, 0.0, 1.0; 1.0, 0.0, 0.0; 0.0, 1.0, 0.0; 1.0, 1.0, 0.0];
+    let rows = dmatrix![0.0, 0.0, 1.0; 3.0, 1.0, 0.0; 1.0, -2.0, 0.0; 4.0, -1.0, 0.0];
     let dynamics = Dynamics { mass: DMatrix::from_diagonal(&dvector![7.0, 3.0, 7.0]), jacobian: rows.clone() };
     let w = delassus(&dynamics.mass, &rows).unwrap();
     let kinds = [vec![ConstraintKind::Contact], vec![ConstraintKind::Bilateral { rows: 1 }; 3]].concat();
-    let alone = JointedProblem::new(1, kinds, w, &rows * dvector![0.5, -0.25, -1.0]).unwrap().law(Law::Frictionless, vec![0.0; 4]).unwrap();
+    let free = dvector![-1.0, 0.5, -0.25, 0.25];
+    let alone = JointedProblem::new(1, kinds, w.clone(), free.clone()).unwrap().law(Law::Frictionless, vec![0.0; 4]).unwrap();
     let known = alone.clone().made_of(Some(dynamics)).unwrap();
-    let impulse = dvector![7.0, -3.5, 0.75, 0.0];
-    let answer = Solution::new("by hand", impulse.clone(), alone.velocity(&impulse), 0);
+    let joints = w.view((1, 1), (2, 2)).into_owned().lu().solve(&-free.rows(1, 2).into_owned()).unwrap();
+    let impulse = dvector![7.0, joints[0], joints[1], 0.0];
+    let answer = Solution::new("by elimination", impulse.clone(), alone.velocity(&impulse), 0);
     assert!(matches!(forward_jointed(&alone, &answer).unwrap().near, Forward::NotProved(_)));
     let near = forward_jointed(&known, &answer).unwrap().near.proved().expect("its rows depend exactly on each other");
-    assert!(near.worst().unwrap().1 <= roundings(FEW) && near.dependent.len() == 1, "{near:?}");
+    assert!(near.worst().unwrap().1 <= roundings(MANY) && near.dependent.len() == 1, "{near:?}");
     assert_eq!(near.bodies.map(|bodies| bodies.len()), Some(3), "velocities of the body, none of rows that were added");
 }

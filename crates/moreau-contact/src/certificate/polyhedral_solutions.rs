@@ -6,8 +6,8 @@
 //!     u is the same on it    ⇔     W G d = 0 for every direction d that leads into it from one of its points
 //! ```
 //! Parts β of one friction impulse may differ, and σ of an open contact is any number above the slip: what counts is u. Where it moves on a
-//! polyhedron, the velocities are a continuum, between two ends of which every mean is a solution. W, R, μ, D_j, u_free and the shift are the
-//! numbers that they are stored as, and M is made of them without rounding.
+//! polyhedron, the velocities are a continuum, between two ends of which every mean is a solution. R, μ, D_j, u_free and the shift are the
+//! numbers that they are stored as, W is that of [`true_operator`](super::true_operator), and M is made of them without rounding.
 
 use super::complementary_cones::{Family, LARGEST, Until, complementary_matrix, looked};
 use super::moving::moving;

@@ -181,6 +181,6 @@ fn two_hexagons_that_stick_and_two_octagons_that_slide_are_decided_and_twenty_on
     assert!(polyhedral_solutions(&large).unwrap_err().to_string().contains("21 unknowns"));
     let cone = polyhedral(DMatrix::identity(3, 3), &[-1.0; 3], 0.5, 3, Law::Coulomb);
     assert!(polyhedral_solutions(&cone).is_err());
-    let none = polyhedral(DMatrix::zeros(0, 0), &[], 0.5, 3, PLANE);
+    let none = polyhedral(DMatrix::zeros(0, 0), &[], 0.5, 3, Law::PolyhedralCoulomb { directions: 4 });
     assert_eq!(polyhedral_solutions(&none).unwrap().found.len(), 1, "nothing touches, in one way");
 }

@@ -8,8 +8,8 @@
 //! where that does not end, by interior points and Newton's method from there. A fixed point is a solution of Coulomb's problem.
 //!
 //! **Safeguards.** θ = 1 is de Saxcé's iteration, a contraction for small friction only. Where F(s) − s grows, or turns round and hardly
-//! falls, θ is halved; where it falls without turning round it is doubled again, to at most 1. Where s cycles for every θ the iteration ends
-//! with the best iterate by the certificate's residual; no fixed point is promised, and none need exist.
+//! falls, θ is halved; where it falls without turning round it is doubled again, to at most 1. Where s cycles for every θ the iteration
+//! ends with the best iterate by the certificate's residual; no fixed point is promised, and none need exist.
 //!
 //! # Source
 //! De Saxcé and Feng, *The bipotential method* (1998); Acary, Cadoux, Lemaréchal and Malick, *A formulation of the linear discrete Coulomb

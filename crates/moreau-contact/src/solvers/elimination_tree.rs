@@ -223,7 +223,8 @@ impl Order {
         self.of.0 == rows && self.of.1 == *neighbours
     }
 
-    /// Fewest rows first, the first of several; false where the columns that they leave are more than memory holds, or the solver was ended.
+    /// Fewest rows first, the first of several; false where the columns that they leave are more than memory holds, or the solver was
+    /// ended.
     fn find(&mut self, rows: &[usize], neighbours: &Lists) -> bool {
         self.of.0.clear();
         self.of.0.extend_from_slice(rows);

@@ -41,8 +41,8 @@ fn subtract(c: &mut [f64], [m, n, k]: [usize; 3], size: usize, a: &[f64], b: &[f
     }
 }
 
-/// L of the first `pivots` columns of a symmetric front of which the lower triangle is given; false where a pivot is not positive, or whoever
-/// watches the solver ended it.
+/// L of the first `pivots` columns of a symmetric front of which the lower triangle is given; false where a pivot is not positive, or
+/// whoever watches the solver ended it.
 pub(super) fn cholesky(front: &mut [f64], size: usize, pivots: usize) -> bool {
     let mut first = 0;
     while first < pivots {

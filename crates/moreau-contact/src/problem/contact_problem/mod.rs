@@ -148,8 +148,8 @@ impl ContactProblem {
         }
     }
 
-    /// M̂ and H, where known, as matrices with all their zeros. What is kept by bodies or as lists is written out, once; of a file only if it
-    /// is not too large for that.
+    /// M̂ and H, where known, as matrices with all their zeros. What is kept by bodies or as lists is written out, once; of a file only if
+    /// it is not too large for that.
     pub fn dynamics(&self) -> Option<&Dynamics> {
         match (&self.dynamics, self.delassus.matrix_free()) {
             (None, Some(free)) => {

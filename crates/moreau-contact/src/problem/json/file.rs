@@ -9,7 +9,7 @@ use crate::problem::contact_problem::Known;
 use crate::problem::{Compliance, ConstraintKind, Coordinates, Dynamics, Law};
 use crate::tolerance::problem::DENSE_ROWS;
 use moreau_exact::{Error, Result};
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -241,6 +241,14 @@ pub(super) fn read_operator(
         (None, None, None) => Err(Error::invalid("delassus", "is missing", "give W, or `mass` and `jacobian` in its place")),
         (Some(_), ..) => Err(Error::invalid("delassus", "stands beside `mass` or `jacobian`", "give W alone, or these two in its place")),
     }
+}
+
+/// M̂ and H row by row, if W follows from them bit for bit.
+pub(super) fn written(dynamics: Option<&Dynamics>, w: &DMatrix<f64>) -> [Option<MatrixFile>; 2] {
+    let follows = |dynamics: &&Dynamics| delassus(&dynamics.mass, &dynamics.jacobian).is_ok_and(|found| found == *w);
+    dynamics
+        .filter(follows)
+        .map_or([None, None], |Dynamics { mass, jacobian }| [mass, jacobian].map(|matrix| Some(MatrixFile::dense(matrix))))
 }
 
 /// R of soft contacts.

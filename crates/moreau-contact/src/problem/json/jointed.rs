@@ -4,9 +4,10 @@
 //! "kinds": ["contact", "limit", {"bilateral": 3}]
 //! ```
 
-use super::file::{ComplianceFile, KeyFile, KindFile, PROBLEM_SCHEMA, ProblemFile, read_compliance, read_law, read_operator, text};
+use super::file::{
+    ComplianceFile, KeyFile, KindFile, PROBLEM_SCHEMA, ProblemFile, read_compliance, read_law, read_operator, text, written,
+};
 use super::matrix::MatrixFile;
-use super::written;
 use crate::problem::contact_problem::Known;
 use crate::problem::jointed::{require_room, starts};
 use crate::problem::{ConstraintKind, ContactKey, Coordinates, Dynamics, JointedProblem};

@@ -33,7 +33,7 @@ mod matrix;
 mod sparse_rows;
 
 pub use file::ProblemFile;
-use file::{ComplianceFile, KeyFile, PROBLEM_SCHEMA, read_compliance, read_kinds, read_law, read_operator, text};
+use file::{ComplianceFile, KeyFile, PROBLEM_SCHEMA, read_compliance, read_kinds, read_law, read_operator, text, written};
 pub use lcp::LcpFile;
 use matrix::MatrixFile;
 
@@ -141,14 +141,6 @@ impl Posed {
 fn no_hdf5() -> Error {
     let cure = "give a whole HDF5 file of FCLIB: it may be cut off or of another format";
     Error::invalid("HDF5", "is missing: the file does not begin as HDF5 files do", cure)
-}
-
-/// M̂ and H row by row, if W follows from them bit for bit.
-fn written(dynamics: Option<&Dynamics>, w: &DMatrix<f64>) -> [Option<MatrixFile>; 2] {
-    let follows = |dynamics: &&Dynamics| delassus(&dynamics.mass, &dynamics.jacobian).is_ok_and(|found| found == *w);
-    dynamics
-        .filter(follows)
-        .map_or([None, None], |Dynamics { mass, jacobian }| [mass, jacobian].map(|matrix| Some(MatrixFile::dense(matrix))))
 }
 
 impl ContactProblem {
