@@ -12,6 +12,7 @@ use crate::memory;
 use crate::memory::spare::{self, Lent, spare_entries};
 use crate::tolerance::problem::STORED_CONTACTS;
 use moreau_exact::{Error, Result};
+use nalgebra::DMatrix;
 
 /// What one contact has at one body: H_bᵀ from the left, and the same over the pivots of the body's mass, velocities × rows.
 #[derive(Clone)]
@@ -42,10 +43,10 @@ pub fn of_mechanism(inertia: &Inertia, jacobian: &Jacobian) -> Result<Operator> 
     let n = jacobian.contacts().len();
     if let Some(width) = body_width(jacobian).filter(|width| inertia.is_made_of(*width)) {
         let meeting = Meeting::new(jacobian, width);
-        if n > STORED_CONTACTS && 2 * meeting.pairs() >= n * n {
-            if let Some(free) = through_bodies(inertia, jacobian, width)? {
-                return Ok(free.into());
-            }
+        let nearly_all_meet = n > STORED_CONTACTS && 2 * meeting.pairs() >= n * n;
+        // none where a mass is infinite
+        if let Some(masses) = if nearly_all_meet { inertia.bodies(width) } else { None } {
+            return through_bodies(&masses, jacobian, width).map(Operator::from);
         }
         let blocks = blocks(inertia, jacobian, width, &meeting)?;
         return Ok(if 2 * meeting.pairs() < n * n { blocks.into() } else { blocks.to_dense().into() });
@@ -56,16 +57,15 @@ pub fn of_mechanism(inertia: &Inertia, jacobian: &Jacobian) -> Result<Operator> 
     delassus_factored(inertia.factor(), &jacobian.to_dense()).map(Operator::from)
 }
 
-/// W by the bodies that contacts touch; none where a mass is infinite.
-fn through_bodies(inertia: &Inertia, jacobian: &Jacobian, width: usize) -> Result<Option<MatrixFree>> {
-    let Some(masses) = inertia.bodies(width) else { return Ok(None) };
+/// W by the bodies that contacts touch, of these masses.
+fn through_bodies(masses: &[DMatrix<f64>], jacobian: &Jacobian, width: usize) -> Result<MatrixFree> {
     let mut rows = BlockRows::new(jacobian.rows_per_contact(), std::iter::repeat_n(width, masses.len()))?;
     rows.reserve(jacobian.contacts().len())?;
     for contact in jacobian.contacts() {
         let parts: Vec<(usize, &[f64])> = contact.parts().map(|part| (part.first / width, part.entries)).collect();
         rows.push(&parts)?;
     }
-    MatrixFree::new(&masses, rows).map(Some)
+    MatrixFree::new(masses, rows)
 }
 
 /// The number of velocities of every body, if each part belongs to one of equal bodies that follow each other.
@@ -219,7 +219,7 @@ impl FromIterator<usize> for BodiesOf {
 mod tests {
     use super::*;
     use crate::contact::Mass;
-    use nalgebra::{DMatrix, DVector, dmatrix};
+    use nalgebra::{DVector, dmatrix};
 
     /// A chain of planar bodies, each of which meets the one before; their rows are of one scale and of no special form.
     fn chain(bodies: usize) -> Jacobian {

@@ -13,14 +13,13 @@
 //! row and bilateral constraints of 1 to 6 rows, in any order), `provenance` (anything).
 
 use super::contact_problem::ROWS;
-use super::{ConstraintKind, ContactKey, ContactProblem, Coordinates, Dynamics, Posed, Solution, siconos};
-use crate::contact::delassus::delassus;
+use super::{ConstraintKind, ContactKey, ContactProblem, Coordinates, Posed, Solution, siconos};
 use crate::files::{read_json, read_object, read_problem, read_schema, schema_of, write_atomically};
 use crate::memory;
 use crate::operator::SparseDynamics;
 use crate::tolerance::problem::DENSE_ROWS;
 use moreau_exact::{Error, Result};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;

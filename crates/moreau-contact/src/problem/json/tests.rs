@@ -2,7 +2,9 @@
 
 use super::*;
 use crate::Law;
+use crate::contact::delassus::delassus;
 use crate::operator::Sparse;
+use crate::problem::Dynamics;
 use crate::tolerance::sharpness::roundings;
 use nalgebra::DMatrix;
 
