@@ -61,7 +61,7 @@ impl Proofs {
     /// among these answers only where neither uniqueness nor all solutions are known.
     ///
     /// # Errors
-    /// As [`distinct`].
+    /// As [`distinct`](crate::certificate::several::distinct).
     pub fn new(problem: &ContactProblem, exists: bool, answers: impl FnOnce() -> Vec<Solution>) -> Result<Self> {
         let mut known = Enumerated::of(problem).unless_contradicted(exists);
         let (unique, reason) = known.unique.take().unwrap_or_else(|| told(uniqueness(problem)));
