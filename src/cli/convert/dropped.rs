@@ -27,7 +27,7 @@ pub fn by_fclib(file: &Path, problem: &ContactProblem, out: Option<&Path>, store
     if replaced && stored.solution.is_some() {
         dropped.push("the stored solution, which the given one replaces".into());
     }
-    if is_text_with_rows(file, &Posed::Contacts(Box::new(problem.clone()))) {
+    if is_text(file) && problem.knows_rows() {
         dropped.push(ROWS.into());
     }
     dropped.extend(stored.left_out.iter().map(|path| format!("`{path}`")));
@@ -37,9 +37,9 @@ pub fn by_fclib(file: &Path, problem: &ContactProblem, out: Option<&Path>, store
 /// What a global problem loses where W alone is written.
 const ROWS: &str = "M and H (W, which follows, is kept)";
 
-/// Whether a file of Siconos has M and H.
-fn is_text_with_rows(file: &Path, posed: &Posed) -> bool {
-    matches!(posed, Posed::Contacts(problem) if problem.knows_rows()) && file.extension().is_some_and(|end| end == "dat")
+/// Whether a file is named as one of Siconos's.
+fn is_text(file: &Path) -> bool {
+    file.extension().is_some_and(|end| end == "dat")
 }
 
 /// What the text of a contact-problem/1 does not keep of a file.
@@ -58,7 +58,7 @@ pub fn by_json(file: &Path, posed: &Posed, text: &str) -> Vec<String> {
         // the problem is whole all the same
         Err(error) => dropped.push(format!("the stored answers, which cannot be read ({error})")),
     }
-    if !keeps_rows && is_text_with_rows(file, posed) {
+    if !keeps_rows && is_text(file) && matches!(posed, Posed::Contacts(problem) if problem.knows_rows()) {
         dropped.push(ROWS.into());
     }
     dropped

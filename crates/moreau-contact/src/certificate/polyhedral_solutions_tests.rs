@@ -1,3 +1,5 @@
+//! The velocities under polyhedral friction against closed forms, and against all patterns in the plane.
+
 use super::*;
 use crate::certificate::draw::Draw;
 use crate::certificate::lcp::residuals;

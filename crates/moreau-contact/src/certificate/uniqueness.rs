@@ -60,6 +60,10 @@ pub fn uniqueness(problem: &ContactProblem) -> Uniqueness {
     if problem.rows() > ROWS {
         return Uniqueness::Unknown(format!("more than {ROWS} rows; proofs are dense"));
     }
+    if problem.knows_rows() && problem.dynamics().is_none() {
+        // what is proved of the stored W would not be proved of the one that mass and Jacobian make
+        return Uniqueness::Unknown("a mass is infinite, or there are too many velocities to write mass and Jacobian out".into());
+    }
     let edges = problem.compliance().is_some_and(|soft| soft.coordinates == Coordinates::Edge);
     match problem.law() {
         Law::PolyhedralCoulomb { .. } => {
@@ -89,8 +93,7 @@ fn pressing(problem: &ContactProblem) -> (Vec<usize>, DMatrix<f64>) {
 /// How far the W of mass and Jacobian may be from the stored one, at the rows that may have an impulse; none where W is the problem.
 struct Apart(Option<DMatrix<f64>>);
 
-fn apart(problem: &ContactProblem) -> Apart {
-    let (rows, _) = pressing(problem);
+fn apart(problem: &ContactProblem, rows: &[usize]) -> Apart {
     Apart(uncertainty(problem).map(|all| DMatrix::from_fn(rows.len(), rows.len(), |i, j| all[(rows[i], rows[j])])))
 }
 
@@ -102,8 +105,7 @@ impl Apart {
 
     /// (E + Eᵀ) v.
     fn both(&self, v: &[f64]) -> Vec<f64> {
-        let transposed = self.0.as_ref().map_or_else(|| vec![0.0; v.len()], |e| times(&e.transpose(), v));
-        self.times(v).into_iter().zip(transposed).map(|(one, other)| enlarged(one + other, 1)).collect()
+        self.times(v).into_iter().zip(self.transposed(v)).map(|(one, other)| enlarged(one + other, 1)).collect()
     }
 
     /// Eᵀ v.
@@ -113,10 +115,10 @@ impl Apart {
 }
 
 fn convex(problem: &ContactProblem) -> Uniqueness {
-    let (_, matrix) = pressing(problem);
+    let (rows, matrix) = pressing(problem);
     // ½(A + Aᵀ) with a rounding each at the diagonal, the sum and the half
     let symmetric = (&matrix + matrix.transpose()) * 0.5;
-    let apart = apart(problem);
+    let apart = apart(problem, &rows);
     let unsure = |v: &[f64]| -> Vec<f64> {
         let rounded = times(&symmetric, v).into_iter().map(|size| enlarged(product(4) * size, 1));
         rounded.zip(apart.both(v)).map(|(size, apart)| enlarged(size + apart, 2)).collect()
@@ -133,7 +135,7 @@ fn semidefinite(problem: &ContactProblem) -> Uniqueness {
         return Uniqueness::Velocity("the law is convex and W = H M̂⁻¹ Hᵀ is positive semidefinite");
     }
     if problem.knows_rows() {
-        return Uniqueness::Unknown("the mass is not symmetric, or there are too many velocities".into());
+        return Uniqueness::Unknown("the mass is not symmetric".into());
     }
     if problem.rows() > EXACT_ROWS {
         return Uniqueness::Unknown(format!("whether W is positive semidefinite is decided in fractions to {EXACT_ROWS} rows"));
@@ -158,7 +160,7 @@ fn coulomb(problem: &ContactProblem) -> Uniqueness {
         (diagonal(k * d) * tangential).sqrt()
     };
     let sizes: Vec<f64> = (0..problem.contacts()).map(size).collect();
-    let apart = apart(problem);
+    let apart = apart(problem, &rows);
     for weight in WEIGHTS {
         let alpha = |row: usize| weight * sizes[row / d];
         let normal: Vec<f64> = rows.iter().map(|row| if row.is_multiple_of(d) { mu(*row) * alpha(*row) } else { 0.0 }).collect();
@@ -196,7 +198,9 @@ fn coulomb(problem: &ContactProblem) -> Uniqueness {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::{Inertia, Jacobian, Mass};
     use nalgebra::{DVector, dvector};
+    use std::sync::Arc;
 
     fn planar(w: [f64; 4], mu: f64) -> ContactProblem {
         let w = DMatrix::from_row_slice(2, 2, &w);
@@ -226,6 +230,18 @@ mod tests {
             }
         }
         assert!(proved > 100, "{proved}: the condition is of some use");
+    }
+
+    #[test]
+    fn of_a_mass_that_is_not_written_out_nothing_is_proved_by_the_stored_w() {
+        let mass = |second: f64| Arc::new(Inertia::of(Mass::Diagonal(dvector![3.0, second])).unwrap());
+        let rows = Arc::new(Jacobian::from_dense(&DMatrix::from_row_slice(1, 2, &[1.0, -1.0]), 1));
+        let problem = |second: f64| {
+            let made = ContactProblem::from_inertia(&mass(second), &rows, &dvector![-1.0, 0.0]).rows_per_contact(1);
+            made.law(Law::Frictionless).friction(vec![0.0]).build().unwrap()
+        };
+        assert!(is_unique(&problem(7.0)));
+        assert!(matches!(uniqueness(&problem(f64::INFINITY)), Uniqueness::Unknown(reason) if reason.contains("infinite")));
     }
 
     #[test]

@@ -147,20 +147,20 @@ fn mass_and_jacobian_are_kept_however_they_are_spelled_and_come_back_in_lists_wh
         spelled("mass", &mass),
         spelled("jacobian", &jacobian)
     );
-    let problem = ContactProblem::from_json(&text).unwrap();
+    let problem = ContactProblem::from_json(&text).expect("well formed");
     assert!(problem.delassus().blocks().is_some());
     let known = Dynamics { mass: mass.to_dense(), jacobian: jacobian.to_dense() };
     assert_eq!(problem.dynamics(), Some(&known));
     let written = problem.to_json();
     assert!(written.contains("triplets") && !written.contains("delassus"));
-    assert_eq!(ContactProblem::from_json(&written).unwrap(), problem);
+    assert_eq!(ContactProblem::from_json(&written).expect("it was written"), problem);
     // row by row they make the same W to rounding, and are the same
     let rows = ContactProblem::from_dynamics(known.mass.clone(), known.jacobian.clone(), &DVector::zeros(200)).rows_per_contact(1);
-    let rows = rows.law(Law::Frictionless).friction(vec![0.0; 300]).build().unwrap();
+    let rows = rows.law(Law::Frictionless).friction(vec![0.0; 300]).build().expect("valid by construction");
     assert_eq!(rows.dynamics(), problem.dynamics());
     assert!((rows.dense() - problem.dense()).amax() <= moreau_exact::tolerance::rounding(16, rows.dense().amax()));
     // another W is written itself
-    let other = problem.clone().into_builder().delassus(problem.dense() * 2.0).build().unwrap();
+    let other = problem.clone().into_builder().delassus(problem.dense() * 2.0).build().expect("valid by construction");
     assert!(other.to_json().contains("delassus"));
 }
 
