@@ -103,6 +103,15 @@ fn join_all_coupled(problem: &ContactProblem, members: &[usize], found: &mut [us
 /// Whether an impulse at one contact moves the other: whether an entry of W between them is more than rounding, compared with the diagonal.
 fn couples(problem: &ContactProblem, [j, k]: [usize; 2]) -> bool {
     let rows = problem.rows_per_contact();
+    if let Some(blocks) = problem.delassus().stored_blocks() {
+        let of_diagonal = |block: &[f64]| block.iter().step_by(rows + 1).copied().fold(0.0, f64::max);
+        let largest = |k: usize| blocks.block(k, k).map_or(0.0, of_diagonal);
+        let seen = || COUPLED * largest(j).sqrt() * largest(k).sqrt();
+        return blocks.block(j, k).is_some_and(|block| {
+            let seen = seen();
+            block.iter().any(|w| w.abs() > seen)
+        });
+    }
     let largest = |k: usize| (k * rows..(k + 1) * rows).map(|row| problem.entry(row, row)).fold(0.0, f64::max);
     let seen = COUPLED * largest(j).sqrt() * largest(k).sqrt();
     (0..rows * rows).any(|place| problem.entry(j * rows + place / rows, k * rows + place % rows).abs() > seen)

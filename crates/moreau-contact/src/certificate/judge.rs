@@ -17,6 +17,7 @@
 use super::at_contact::{AtContact, Here, worst};
 use super::part::{Part, pair};
 use super::polyhedral::{self, Pairs};
+use super::remembered;
 use super::scales::{self, Held, Scales, Unheld};
 use crate::cones::second_order::{distance, length, tangential_norm};
 use crate::problem::{ContactProblem, Law, Solution};
@@ -143,9 +144,19 @@ impl Judge {
         self.judge_prepared(problem, solution)
     }
 
+    /// [`Judge::judge`], which does not judge again what was judged last in this thread: the same problem, the same r and the same u.
+    ///
+    /// # Errors
+    /// As [`Judge::judge`].
+    pub fn judge_once(&mut self, problem: &ContactProblem, solution: &Solution) -> Result<Judged> {
+        remembered::recall(problem, solution).map_or_else(|| self.judge(problem, solution), Ok)
+    }
+
     /// [`Judge::judge`] of another answer to the problem that was prepared last.
     pub(crate) fn judge_prepared(&mut self, problem: &ContactProblem, solution: &Solution) -> Result<Judged> {
-        self.judge_unheld(problem, solution, Unheld::default())
+        let judged = self.judge_unheld(problem, solution, Unheld::default())?;
+        remembered::remember(problem, solution, judged);
+        Ok(judged)
     }
 
     /// [`Judge::judge`] of contacts whose given velocities are what joints leave of others.

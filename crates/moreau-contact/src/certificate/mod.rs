@@ -42,6 +42,7 @@ mod polyhedral_pair;
 pub mod polyhedral_proof;
 pub mod polyhedral_solutions;
 mod rank;
+mod remembered;
 pub mod residuals;
 #[cfg(feature = "files")]
 mod residuals_json;

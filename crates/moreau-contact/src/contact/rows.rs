@@ -70,17 +70,30 @@ impl Rows {
     /// ```
     #[must_use]
     pub fn with<const R: usize, const N: usize>(mut self, first: usize, block: [[f64; N]; R]) -> Self {
+        self.push(first, &block);
+        self
+    }
+
+    /// Adds the part of one more body, in place.
+    ///
+    /// # Panics
+    /// As [`Rows::with`].
+    #[inline]
+    pub fn push<const R: usize, const N: usize>(&mut self, first: usize, block: &[[f64; N]; R]) {
         assert!(R == self.rows && R * N <= FEW && first + N <= self.columns, "a part fits the rows it is added to");
-        let mut entries = [0.0; FEW];
-        entries[..R * N].copy_from_slice(block.as_flattened());
-        let part = Part { first, width: N, entries: Entries::Few(entries) };
-        self.parts = match std::mem::take(&mut self.parts) {
-            [None, _] => [Some(part), None],
-            [Some(known), None] if known.first + known.width <= first => [Some(known), Some(part)],
-            [Some(known), None] if first + N <= known.first => [Some(part), Some(known)],
+        let place = match &self.parts {
+            [None, _] => 0,
+            [Some(known), None] if known.first + known.width <= first || first + N <= known.first => 1,
             _ => panic!("a contact touches two bodies, and each once"),
         };
-        self
+        let mut entries = [0.0; FEW];
+        entries[..R * N].copy_from_slice(block.as_flattened());
+        self.parts[place] = Some(Part { first, width: N, entries: Entries::Few(entries) });
+        if let [Some(one), Some(other)] = &self.parts
+            && other.first < one.first
+        {
+            self.parts.swap(0, 1);
+        }
     }
 
     /// How many rows.

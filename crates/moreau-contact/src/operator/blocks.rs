@@ -113,6 +113,14 @@ impl BlockSparse {
         Ok(())
     }
 
+    /// Appends W_jk to the column that was begun last, in which its row grows.
+    #[inline]
+    pub(super) fn append(&mut self, row: usize, block: &[f64]) {
+        debug_assert!(self.coupled[self.starts[self.starts.len() - 1]..].last().is_none_or(|last| *last < row), "rows grow");
+        self.coupled.push(row);
+        self.entries.extend_from_slice(block);
+    }
+
     /// Closes the last columns.
     pub(crate) fn finish(&mut self, contacts: usize) {
         self.starts.resize(contacts + 1, self.coupled.len());
@@ -153,6 +161,13 @@ impl BlockSparse {
         let (size, first) = (self.rows_per_contact * self.rows_per_contact, self.starts[column]);
         let place = self.coupled[first..self.starts[column + 1]].binary_search(&row).ok()? + first;
         Some(&self.entries[place * size..(place + 1) * size])
+    }
+
+    /// The block that was appended as number `place`.
+    #[inline]
+    pub(super) fn block_at(&self, place: usize) -> &[f64] {
+        let size = self.rows_per_contact * self.rows_per_contact;
+        &self.entries[place * size..(place + 1) * size]
     }
 
     /// W_ij of two rows \[1/kg\].

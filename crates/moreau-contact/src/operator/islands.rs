@@ -42,7 +42,12 @@ impl Islands {
     pub fn of(w: &Operator, contacts: usize) -> Self {
         let (n, mut parts) = (contacts, Parts { root: spare::collected(contacts, 0..contacts).into(), count: contacts });
         match w {
-            Operator::Blocks(stored) => (0..n).for_each(|k| stored.blocks.column(k).for_each(|(j, _)| parts.join(j, k))),
+            Operator::Blocks(stored) => {
+                let mut columns = 0..n;
+                while let (true, Some(k)) = (parts.count > 1, columns.next()) {
+                    stored.blocks.column(k).for_each(|(j, _)| parts.join(j, k));
+                }
+            }
             Operator::Dense(dense) => {
                 let d = dense.nrows() / n.max(1);
                 let meet =

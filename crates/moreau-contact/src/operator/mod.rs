@@ -110,6 +110,14 @@ impl Operator {
         }
     }
 
+    /// The blocks of W, if they are what is stored.
+    pub(crate) fn stored_blocks(&self) -> Option<&BlockSparse> {
+        match self {
+            Operator::Blocks(stored) => Some(&stored.blocks),
+            _ => None,
+        }
+    }
+
     /// W by the bodies that contacts touch, if it is given so.
     pub fn matrix_free(&self) -> Option<&MatrixFree> {
         match self {

@@ -103,25 +103,60 @@ fn blocks(inertia: &Inertia, jacobian: &Jacobian, width: usize, meeting: &Meetin
     let own = |k: usize| &halves[starts[k]..starts[k + 1]];
     let mut made = BlockSparse::with_capacity(d, n, meeting.pairs());
     let (mut met, mut block) = (Lent::from(spare::vector(meeting.most)), [0.0; 9]);
+    // of every column so far the place of the first block that has not been mirrored yet
+    let mut next: Lent<Vec<usize>> = spare::repeated(n, 0).into();
     for k in 0..n {
         met.clear();
         meeting.of(own(k).iter().map(|half| half.body), |j| met.push(j));
         made.begin(k);
         for &j in met.iter() {
             if j < k {
-                // W_jk = W_kjᵀ, which stands in the column of j
-                block[..d * d].copy_from_slice(made.block(k, j).expect("contacts that meet meet in both orders"));
+                // W_jk = W_kjᵀ, which stands in the column of j: contacts that meet meet in both orders
+                block[..d * d].copy_from_slice(made.block_at(next[j]));
+                next[j] += 1;
                 transpose(&mut block, d);
             } else if [d, width] == SPATIAL {
-                product(own(j), own(k), SPATIAL, j == k, &mut block);
+                spatial_product(own(j), own(k), j == k, &mut block);
             } else {
                 product(own(j), own(k), [d, width], j == k, &mut block);
             }
-            made.push(j, k, &block[..d * d])?;
+            made.append(j, &block[..d * d]);
+            if j == k {
+                next[k] = made.block_count();
+            }
         }
     }
     made.finish(n);
     Ok(made)
+}
+
+/// [`product`] of contacts between free bodies in space, with the same entries bit for bit.
+fn spatial_product(later: &[Half], earlier: &[Half], diagonal: bool, block: &mut [f64; 9]) {
+    const ROWS: usize = SPATIAL[0];
+    const WIDTH: usize = SPATIAL[1];
+    block.fill(0.0);
+    let (mut one, mut other) = (later, earlier);
+    while let ([half, ..], [opposite, ..]) = (one, other) {
+        if half.body == opposite.body {
+            let [weighted, left] = [&half.weighted, &opposite.left].map(|rows| rows.as_chunks::<WIDTH>().0);
+            for (column, left) in block.as_chunks_mut::<ROWS>().0.iter_mut().zip(left) {
+                for (entry, weighted) in column.iter_mut().zip(weighted) {
+                    (0..WIDTH).for_each(|axis| *entry += weighted[axis] * left[axis]);
+                }
+            }
+        }
+        (one, other) = (&one[usize::from(half.body <= opposite.body)..], &other[usize::from(opposite.body <= half.body)..]);
+    }
+    if diagonal {
+        mirror(block, ROWS);
+    }
+}
+
+/// Takes the lower triangle as the upper one.
+fn mirror(block: &mut [f64; 9], d: usize) {
+    for (i, j) in (0..d).flat_map(|i| (0..i).map(move |j| (i, j))) {
+        block[i * d + j] = block[j * d + i];
+    }
 }
 
 /// W_jk of two contacts, j ≥ k, column by column: Σ_b (L⁻¹H_jᵀ D⁻¹)(L⁻¹H_kᵀ) with the terms in the order of the velocities. Of a diagonal
@@ -142,9 +177,7 @@ fn product(later: &[Half], earlier: &[Half], [d, width]: [usize; 2], diagonal: b
         }
     }
     if diagonal {
-        for (i, j) in (0..d).flat_map(|i| (0..i).map(move |j| (i, j))) {
-            block[i * d + j] = block[j * d + i];
-        }
+        mirror(block, d);
     }
 }
 

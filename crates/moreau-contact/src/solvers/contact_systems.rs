@@ -15,10 +15,9 @@ pub(super) struct ContactSystems {
     /// Whether elimination in velocities is for this W.
     has_velocities: bool,
     contacts: BlockElimination,
-    /// The last J, where it is factored in velocities, and whether it is symmetric.
-    last: (Vec<Slopes>, bool),
-    /// Whether the last J is factored in velocities.
+    /// Whether the last J is factored in velocities, and whether it is symmetric.
     is_in_velocities: bool,
+    is_symmetric: bool,
 }
 
 impl ContactSystems {
@@ -42,14 +41,9 @@ impl ContactSystems {
 
     /// False where what should be eliminated is singular. A J that is symmetric must be definite.
     pub(super) fn factor(&mut self, w: &BlockSparse, slopes: &[Slopes], is_symmetric: bool) -> bool {
+        self.is_symmetric = is_symmetric;
         self.is_in_velocities = self.has_velocities && self.velocities.factor(slopes, is_symmetric);
-        if self.is_in_velocities {
-            self.last.0.clear();
-            self.last.0.extend_from_slice(slopes);
-            self.last.1 = is_symmetric;
-            return true;
-        }
-        self.contacts.factor(w, slopes, is_symmetric)
+        self.is_in_velocities || self.contacts.factor(w, slopes, is_symmetric)
     }
 
     /// Whether the last J should have been eliminated in velocities, and too many digits were lost there: over contacts it costs several
@@ -64,15 +58,20 @@ impl ContactSystems {
     /// If none was, or b has another size.
     pub(super) fn solve(&mut self, w: &BlockSparse, right_side: &DVector<f64>) -> Option<DVector<f64>> {
         if self.is_in_velocities {
-            if let Some(found) = self.velocities.solve(w, right_side) {
+            if let Some(found) = self.velocities.solve(right_side) {
                 return Some(found);
             }
-            let (slopes, is_symmetric) = &self.last;
-            if !self.contacts.factor(w, slopes, *is_symmetric) {
+            let slopes: Vec<Slopes> = self.velocities.slopes().collect();
+            if !self.contacts.factor(w, &slopes, self.is_symmetric) {
                 return None;
             }
             self.is_in_velocities = false;
         }
         Some(self.contacts.solve(w, right_side))
+    }
+
+    /// W x of the x that was solved for last.
+    pub(super) fn moved(&self, problem: &ContactProblem, x: &DVector<f64>) -> DVector<f64> {
+        if self.is_in_velocities { self.velocities.moved().clone() } else { problem.apply(x) }
     }
 }

@@ -126,7 +126,6 @@ struct Path<'a> {
 /// What a step needs of one contact.
 struct Local {
     scaling: Scaling,
-    slopes: Slopes,
     /// ρ = ŷ − T⁻¹z, padded.
     residual: Vector3<f64>,
 }
@@ -178,15 +177,17 @@ impl<'a> Path<'a> {
         let contacts = self.problem.contacts();
         let points: Vec<Vector3<f64>> = (0..contacts).map(|k| self.primal(k)).collect();
         let gap = points.iter().zip(&self.dual).map(|(x, z)| x.dot(z)).sum::<f64>() / contacts.max(1) as f64;
-        let Some(locals) = (0..contacts).map(|k| self.local(k, &points[k], law_velocity)).collect::<Option<Vec<Local>>>() else {
-            return false;
-        };
-        let slopes: Vec<Slopes> = locals.iter().map(|local| local.slopes).collect();
+        let (mut locals, mut slopes) = (Vec::with_capacity(contacts), Vec::with_capacity(contacts));
+        for (k, point) in points.iter().enumerate() {
+            let Some((local, own)) = self.local(k, point, law_velocity) else { return false };
+            locals.push(local);
+            slopes.push(own);
+        }
         if !self.systems.factor(&self.operator, &slopes, self.is_symmetric) {
             return false;
         }
         let towards_zero: Vec<Vector3<f64>> = locals.iter().map(|local| -local.scaling.middle()).collect();
-        let Some(predicted) = self.direction(&locals, &towards_zero) else { return false };
+        let Some(predicted) = self.direction(&locals, &slopes, &towards_zero) else { return false };
         let affine = self.longest(&points, &predicted);
         let shifted =
             |(x, z): (Vector3<f64>, Vector3<f64>), (dx, dz): &(Vector3<f64>, Vector3<f64>)| (x + dx * affine).dot(&(z + dz * affine));
@@ -201,13 +202,13 @@ impl<'a> Path<'a> {
         let target = (sigma * gap).max(open.min(2.0 * gap));
         let corrected: Vec<Vector3<f64>> =
             locals.iter().zip(&predicted).map(|(local, (dx, dz))| local.scaling.corrector(target, dx, dz)).collect();
-        let Some(direction) = self.direction(&locals, &corrected) else { return false };
+        let Some(direction) = self.direction(&locals, &slopes, &corrected) else { return false };
         let length = (tolerance::BOUNDARY * self.longest(&points, &direction)).min(1.0);
         self.advance(&direction, length)
     }
 
     /// P, the rows of the linear system and ρ of contact k; none where it has left the cone.
-    fn local(&self, k: usize, x: &Vector3<f64>, law_velocity: &DVector<f64>) -> Option<Local> {
+    fn local(&self, k: usize, x: &Vector3<f64>, law_velocity: &DVector<f64>) -> Option<(Local, Slopes)> {
         let (rows, mu) = (self.problem.rows_per_contact(), super::cone_friction(self.problem, k));
         let y = |row: usize| if row < rows { law_velocity[k * rows + row] } else { 0.0 };
         let z = self.dual[k];
@@ -216,7 +217,8 @@ impl<'a> Path<'a> {
             let scaling = Scaling::half_line(x[0], z[0])?;
             through = Matrix3::from_diagonal(&Vector3::new(1.0, 0.0, 0.0));
             own[(0, 0)] = scaling.inverse_square()[(0, 0)] + self.problem.row_compliance(k * rows);
-            return Some(Local { scaling, slopes: Slopes { own, through, inverse: None }, residual: Vector3::new(y(0) - z[0], 0.0, 0.0) });
+            let local = Local { scaling, residual: Vector3::new(y(0) - z[0], 0.0, 0.0) };
+            return Some((local, Slopes { own, through, inverse: None }));
         }
         let scaling = Scaling::round(x, &z, rows)?;
         let slip = y(1).hypot(y(2));
@@ -236,12 +238,12 @@ impl<'a> Path<'a> {
         let square = scaling.square();
         let known = self.problem.compliance().is_none() && rows == 3;
         let inverse = known.then(|| Matrix3::from_fn(|i, j| square[(i, j)] / (t[i] * t[j])));
-        Some(Local { scaling, slopes: Slopes { own, through, inverse }, residual })
+        Some((Local { scaling, residual }, Slopes { own, through, inverse }))
     }
 
     /// (dx, dz) of every contact for the c of every contact. dz comes from the velocities, dz = T(ρ + B (W + R) dr), so that rounding
     /// leaves y and z together and goes into the gap.
-    fn direction(&mut self, locals: &[Local], c: &[Vector3<f64>]) -> Option<Vec<(Vector3<f64>, Vector3<f64>)>> {
+    fn direction(&mut self, locals: &[Local], slopes: &[Slopes], c: &[Vector3<f64>]) -> Option<Vec<(Vector3<f64>, Vector3<f64>)>> {
         let rows = self.problem.rows_per_contact();
         let mut right_side = DVector::zeros(self.problem.rows());
         for (k, (local, c)) in locals.iter().zip(c).enumerate() {
@@ -250,14 +252,14 @@ impl<'a> Path<'a> {
             (0..rows).for_each(|row| right_side[k * rows + row] = pushed[row] * if row == 0 { t } else { 1.0 } - local.residual[row]);
         }
         let moved = self.systems.solve(&self.operator, &right_side)?;
-        let mut answered = self.problem.apply(&moved);
+        let mut answered = self.systems.moved(self.problem, &moved);
         moved.iter().enumerate().for_each(|(row, dr)| answered[row] += self.problem.row_compliance(row) * dr);
         let padded = |of: &DVector<f64>, k: usize| Vector3::from_fn(|row, _| if row < rows { of[k * rows + row] } else { 0.0 });
         let one = |(k, local): (usize, &Local)| {
             let mu = super::cone_friction(self.problem, k);
             let (t, dr) = (scale(mu), padded(&moved, k));
             let dx = if mu > 0.0 { Vector3::new(dr[0] * t, dr[1], dr[2]) } else { Vector3::new(dr[0], 0.0, 0.0) };
-            let dz = local.residual + local.slopes.through * padded(&answered, k);
+            let dz = local.residual + slopes[k].through * padded(&answered, k);
             (dx, Vector3::new(dz[0] / t, dz[1], dz[2]))
         };
         Some(locals.iter().enumerate().map(one).collect())

@@ -5,14 +5,14 @@
 //! ```
 //! A and B have one block per contact. There are as many unknowns as velocities, however many contacts share them, and bodies meet fewer
 //! bodies than contacts meet contacts. Each contact is added to the front in which the first of its groups is eliminated. x loses as many
-//! digits as D has more than 1/W; they are won back by solving for what J with W itself leaves of b.
+//! digits as D has more than 1/W; they are won back by solving for what J leaves of b. W x is Y (Yᵀ x), for Y is much smaller than W.
 
 use super::block_elimination::Slopes;
 use super::elimination_tree::Tree;
 use super::multifrontal::{Factor, Front, Work};
 use super::parts::copy;
 use crate::memory::spare::Spare;
-use crate::operator::{BlockSparse, ContactOperator, Lists, VelocityFactor};
+use crate::operator::{Lists, VelocityFactor};
 use crate::tolerance::velocities::{REFINED, REFINEMENTS, TRUSTED};
 use nalgebra::{DVector, Matrix3, Vector3};
 
@@ -32,9 +32,18 @@ pub(super) struct VelocityElimination {
     /// v, and A_k⁻¹ b of every contact.
     velocities: Vec<f64>,
     pushed: Vec<Vector3<f64>>,
+    best: Attempt,
+    tried: Attempt,
+}
+
+/// An x with what it leaves.
+#[derive(Debug, Default)]
+struct Attempt {
+    x: DVector<f64>,
+    /// W x.
+    moved: DVector<f64>,
+    /// b − J x.
     left: DVector<f64>,
-    rest: DVector<f64>,
-    tried: DVector<f64>,
 }
 
 impl VelocityElimination {
@@ -80,74 +89,98 @@ impl VelocityElimination {
         })
     }
 
-    /// The x with J x = b, of the last J that was factored and the W of which Y is a factor; none where too many digits are lost.
-    pub(super) fn solve(&mut self, w: &BlockSparse, right_side: &DVector<f64>) -> Option<DVector<f64>> {
-        let [mut left, mut rest, mut tried] = [&mut self.left, &mut self.rest, &mut self.tried].map(std::mem::take);
-        let mut best = right_side.copied();
-        self.once(right_side, &mut best);
-        self.leave(w, &best, right_side, &mut left);
+    /// The x with J x = b, of the last J that was factored; none where too many digits are lost.
+    pub(super) fn solve(&mut self, right_side: &DVector<f64>) -> Option<DVector<f64>> {
+        let [mut best, mut tried] = [&mut self.best, &mut self.tried].map(std::mem::take);
+        copy(right_side, &mut best.x);
+        self.once(right_side, &mut best.x);
+        self.leave(right_side, &mut best);
         for _ in 0..REFINEMENTS {
-            if left.amax() <= REFINED * right_side.amax() {
+            if best.left.amax() <= REFINED * right_side.amax() {
                 break;
             }
-            copy(&left, &mut tried);
-            self.once(&left, &mut tried);
-            tried += &best;
-            self.leave(w, &tried, right_side, &mut rest);
-            if rest.amax().is_nan() || rest.amax() >= left.amax() {
+            copy(&best.left, &mut tried.x);
+            self.once(&best.left, &mut tried.x);
+            tried.x += &best.x;
+            self.leave(right_side, &mut tried);
+            if tried.left.amax().is_nan() || tried.left.amax() >= best.left.amax() {
                 break;
             }
             std::mem::swap(&mut best, &mut tried);
-            std::mem::swap(&mut left, &mut rest);
         }
-        let is_trusted = left.amax() <= TRUSTED * right_side.amax();
-        (self.left, self.rest, self.tried) = (left, rest, tried);
-        is_trusted.then_some(best)
+        let is_trusted = best.left.amax() <= TRUSTED * right_side.amax();
+        let found = is_trusted.then(|| best.x.copied());
+        (self.best, self.tried) = (best, tried);
+        found
     }
 
-    /// Overwrites `left` with b − J x.
-    fn leave(&self, w: &BlockSparse, x: &DVector<f64>, right_side: &DVector<f64>, left: &mut DVector<f64>) {
-        let d = self.y.rows_per_contact();
+    /// W x of the last x.
+    pub(super) fn moved(&self) -> &DVector<f64> {
+        &self.best.moved
+    }
+
+    /// A_k and B_k of contact k of the last J.
+    pub(super) fn slopes(&self) -> impl Iterator<Item = Slopes> {
+        self.slopes.iter().map(|[inverse, through, own]| Slopes { own: *own, through: *through, inverse: Some(*inverse) })
+    }
+
+    /// Overwrites W x and b − J x.
+    fn leave(&mut self, right_side: &DVector<f64>, Attempt { x, moved, left }: &mut Attempt) {
+        let VelocityElimination { y, tree, slopes, velocities: v, .. } = self;
+        let d = y.rows_per_contact();
+        copy(x, moved);
         copy(x, left);
-        left.fill(0.0);
-        w.add_product(x.as_slice(), left.as_mut_slice());
-        for (k, [_, through, own]) in self.slopes.iter().enumerate() {
-            let padded = |of: &DVector<f64>| Vector3::from_fn(|i, _| if i < d { of[k * d + i] } else { 0.0 });
-            let row = through * padded(left) + own * padded(x);
-            (0..d).for_each(|i| left[k * d + i] = right_side[k * d + i] - row[i]);
+        v.clear();
+        v.resize(tree.starts[tree.starts.len() - 1], 0.0);
+        let padded = |of: &DVector<f64>, k: usize| Vector3::from_fn(|i, _| if i < d { of[k * d + i] } else { 0.0 });
+        (0..slopes.len()).for_each(|k| push(y, tree, k, &padded(x, k), v));
+        for (k, [_, through, own]) in slopes.iter().enumerate() {
+            let u = pull(y, tree, k, v);
+            let row = through * u + own * padded(x, k);
+            (0..d).for_each(|i| (moved[k * d + i], left[k * d + i]) = (u[i], right_side[k * d + i] - row[i]));
         }
     }
 
     /// Overwrites x with the one that the factor has.
     fn once(&mut self, right_side: &DVector<f64>, x: &mut DVector<f64>) {
-        let VelocityElimination { y: of, tree, slopes, factor, work, velocities: v, pushed, .. } = self;
-        let d = of.rows_per_contact();
+        let VelocityElimination { y, tree, slopes, factor, work, velocities: v, pushed, .. } = self;
+        let d = y.rows_per_contact();
         v.clear();
         v.resize(tree.starts[tree.starts.len() - 1], 0.0);
         pushed.clear();
         for (k, [inverse, ..]) in slopes.iter().enumerate() {
             let own = inverse * Vector3::from_fn(|i, _| if i < d { right_side[k * d + i] } else { 0.0 });
-            for &(group, at) in of.parts(k) {
-                let range = tree.starts[group]..tree.starts[group + 1];
-                let n = range.len();
-                let (target, y) = (&mut v[range], &of.entries[at..at + 3 * n]);
-                target.iter_mut().enumerate().for_each(|(j, v)| *v += y[j] * own[0] + y[n + j] * own[1] + y[2 * n + j] * own[2]);
-            }
+            push(y, tree, k, &own, v);
             pushed.push(own);
         }
         factor.solve(tree, v, work);
         for (k, [inverse, through, _]) in slopes.iter().enumerate() {
-            let mut moved = Vector3::zeros();
-            for &(group, at) in of.parts(k) {
-                let v = &v[tree.starts[group]..tree.starts[group + 1]];
-                for (i, row) in of.entries[at..at + 3 * v.len()].chunks_exact(v.len().max(1)).enumerate() {
-                    moved[i] += row.iter().zip(v).map(|(y, v)| y * v).sum::<f64>();
-                }
-            }
-            let own = pushed[k] - inverse * (through * moved);
+            let own = pushed[k] - inverse * (through * pull(y, tree, k, v));
             (0..d).for_each(|i| x[k * d + i] = own[i]);
         }
     }
+}
+
+/// v += Y_kᵀ x.
+fn push(of: &VelocityFactor, tree: &Tree, contact: usize, x: &Vector3<f64>, v: &mut [f64]) {
+    for &(group, at) in of.parts(contact) {
+        let range = tree.starts[group]..tree.starts[group + 1];
+        let n = range.len();
+        let (target, y) = (&mut v[range], &of.entries[at..at + 3 * n]);
+        target.iter_mut().enumerate().for_each(|(j, v)| *v += y[j] * x[0] + y[n + j] * x[1] + y[2 * n + j] * x[2]);
+    }
+}
+
+/// Y_k v.
+fn pull(of: &VelocityFactor, tree: &Tree, contact: usize, v: &[f64]) -> Vector3<f64> {
+    let mut moved = Vector3::zeros();
+    for &(group, at) in of.parts(contact) {
+        let v = &v[tree.starts[group]..tree.starts[group + 1]];
+        for (i, row) in of.entries[at..at + 3 * v.len()].chunks_exact(v.len().max(1)).enumerate() {
+            moved[i] += row.iter().zip(v).map(|(y, v)| y * v).sum::<f64>();
+        }
+    }
+    moved
 }
 
 /// Adds Y_kᵀ D_k Y_k; of a symmetric one the lower triangle.
@@ -203,7 +236,7 @@ mod tests {
             velocities.prepare(&factor);
             let mut contacts = BlockElimination::default();
             assert!(velocities.factor(&slopes, is_symmetric) && contacts.factor(&w, &slopes, is_symmetric));
-            let (one, other) = (velocities.solve(&w, &right).expect("well conditioned"), contacts.solve(&w, &right));
+            let (one, other) = (velocities.solve(&right).expect("well conditioned"), contacts.solve(&w, &right));
             assert!((&one - &other).amax() <= rounding(1 << 12, other.amax()), "{}", (&one - &other).amax());
         }
     }
@@ -216,10 +249,10 @@ mod tests {
         velocities.prepare(&factor);
         let right = DVector::from_element(3 * w.contacts(), 1.0);
         let slopes = |own: f64| vec![Slopes { own: Matrix3::identity() * own, through: Matrix3::identity(), inverse: None }; w.contacts()];
-        assert!(velocities.factor(&slopes(1e-3), true) && velocities.solve(&w, &right).is_some());
+        assert!(velocities.factor(&slopes(1e-3), true) && velocities.solve(&right).is_some());
         // what is planted: an inverse that belongs to another A
         let wrong = slopes(1.0).into_iter().map(|slopes| Slopes { inverse: Some(Matrix3::identity() * 3.0), ..slopes }).collect::<Vec<_>>();
-        assert!(velocities.factor(&wrong, true) && velocities.solve(&w, &right).is_none());
+        assert!(velocities.factor(&wrong, true) && velocities.solve(&right).is_none());
         assert!(!velocities.factor(&slopes(0.0), true), "A is singular");
     }
 }

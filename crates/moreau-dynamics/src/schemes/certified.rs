@@ -79,7 +79,7 @@ impl ContactSolver for Certified<'_> {
         let solution = self.solver.solve(problem, warm_start)?;
         let mut found = self.found();
         let (residual, worst) =
-            found.judge.judge(problem, &solution).map_err(|error| Error::breakdown(self.name(), error.to_string()))?.worst();
+            found.judge.judge_once(problem, &solution).map_err(|error| Error::breakdown(self.name(), error.to_string()))?.worst();
         let relative = worst.part.relative();
         let pair = problem.bodies().and_then(|bodies| bodies.get(worst.contact).copied());
         let own = StepResidual { rule: "certificate", residual, relative, limit: self.tolerance, contact: Some(worst.contact), pair };

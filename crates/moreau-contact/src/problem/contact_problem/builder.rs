@@ -1,6 +1,7 @@
 //! How a contact problem is made: its pieces are set one by one, and `build` checks them together.
 
 use super::known::Known;
+use super::number::Number;
 use super::once::Once;
 use super::{Compliance, ContactKey, ContactProblem, Dynamics, Law};
 use crate::contact::delassus::delassus;
@@ -297,6 +298,7 @@ impl ContactProblemBuilder {
             islands: Once::default(),
             velocity_factor: Once::default(),
             written_out: Once::default(),
+            number: Number::default(),
         };
         problem.validate()?;
         Ok(problem)

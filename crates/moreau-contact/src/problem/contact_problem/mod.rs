@@ -11,6 +11,7 @@ use nalgebra::{DMatrix, DVector};
 mod builder;
 mod dynamics;
 mod known;
+mod number;
 mod once;
 mod part;
 mod polyhedral;
@@ -23,6 +24,7 @@ pub use builder::ContactProblemBuilder;
 pub use dynamics::Dynamics;
 pub(in crate::problem) use known::Known;
 use known::push_columns_of;
+use number::Number;
 use once::Once;
 pub(crate) use part::island_rows;
 #[cfg(feature = "files")]
@@ -82,12 +84,18 @@ pub struct ContactProblem {
     islands: Once<Islands>,
     velocity_factor: Once<Option<VelocityFactor>>,
     written_out: Once<Option<Dynamics>>,
+    number: Number,
 }
 
 impl ContactProblem {
     /// A name for messages.
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// What no other problem of this process has but its copies.
+    pub(crate) fn number(&self) -> u64 {
+        self.number.get()
     }
 
     /// The contact law.

@@ -1,5 +1,6 @@
 //! The problem of some of the contacts, which W joins with no other.
 
+use super::number::Number;
 use super::once::Once;
 use super::{Compliance, ContactProblem, Coordinates, Law};
 use crate::memory::spare;
@@ -40,6 +41,7 @@ impl ContactProblem {
             islands: own.map_or_else(Once::default, Once::known),
             velocity_factor: Once::default(),
             written_out: Once::default(),
+            number: Number::default(),
         }
     }
 

@@ -1,5 +1,6 @@
 //! The problem with other softness and shift, in place: W and what was found of it alone stay.
 
+use super::number::Number;
 use super::once::Once;
 use super::{Compliance, ContactProblem, Coordinates};
 use nalgebra::DVector;
@@ -16,6 +17,7 @@ impl ContactProblem {
         self.compliance = Some(Compliance { coordinates: Coordinates::Contact, diagonal: softness });
         self.shift = shift.into();
         self.weights = Once::default(); // they have R in them
+        self.number = Number::default();
     }
 }
 

@@ -133,13 +133,15 @@ impl SpatialBodies {
                 six(sign, direction, arm.into())
             })
         };
-        let mut jacobian = Rows::zeros(3, 6 * self.bodies.len()).with(6 * first, rows(first, touch.seen[0], 1.0));
-        if let Some(second) = second {
-            jacobian = jacobian.with(6 * second, rows(second, touch.seen[1], -1.0));
-        }
         let (friction, restitution) = self.materials.of(first, second);
         let place = Place { bodies: (first, second), features: touch.features, frame };
-        Contact { gap: touch.gap, jacobian, friction, restitution, place: Some(place) }
+        let jacobian = Rows::zeros(3, 6 * self.bodies.len());
+        let mut contact = Contact { gap: touch.gap, jacobian, friction, restitution, place: Some(place) };
+        contact.jacobian.push(6 * first, &rows(first, touch.seen[0], 1.0));
+        if let Some(second) = second {
+            contact.jacobian.push(6 * second, &rows(second, touch.seen[1], -1.0));
+        }
+        contact
     }
 
     /// The candidates with a gap of at most `reach`, their rows taken at the points of the two bodies that `seen` chooses.
