@@ -4,11 +4,12 @@
 //!     F = ⎡P Q⎤ = ⎡L₁₁  ⎤ ⎡U₁₁ U₁₂⎤ ,     S ← S − R P⁻¹ Q ;     symmetric: U = Lᵀ, and only the lower triangle is touched
 //!         ⎣R S⎦   ⎣L₂₁ 1⎦ ⎣     S'⎦
 //! ```
-//! Panels of columns are eliminated one after the other, and the rest of the front is updated by a matrix product. Rows are exchanged for
+//! Panels of columns are eliminated one after the other, within them a few columns at a time, and the rest of the front is updated by a
+//! matrix product. Rows are exchanged for
 //! the largest pivot among the pivot rows only: what lies below belongs to other fronts.
 
 use super::watch;
-use crate::tolerance::fronts::{PANEL, SMALL_PRODUCT, STRIP};
+use crate::tolerance::fronts::{COLUMNS, PANEL, SMALL_PRODUCT, STRIP};
 use nalgebra::{DMatrixView, DMatrixViewMut};
 
 /// C ← C − A B of m × n entries with k terms; A and C have columns of length `size`, B any strides.
@@ -83,41 +84,50 @@ pub(super) fn lu(front: &mut [f64], size: usize, pivots: usize, exchanged: &mut 
             return false;
         }
         let end = (first + PANEL).min(pivots);
-        for j in first..end {
-            let entry = |i: usize| front[j * size + i].abs();
-            let pivot = (j + 1..pivots).fold(j, |best, i| if entry(i) > entry(best) { i } else { best });
-            exchanged[j] = pivot;
-            if pivot != j {
-                front.chunks_exact_mut(size).for_each(|column| column.swap(j, pivot));
+        for begin in (first..end).step_by(COLUMNS) {
+            let last = (begin + COLUMNS).min(end);
+            for j in begin..last {
+                let entry = |i: usize| front[j * size + i].abs();
+                let pivot = (j + 1..pivots).fold(j, |best, i| if entry(i) > entry(best) { i } else { best });
+                exchanged[j] = pivot;
+                if pivot != j {
+                    front.chunks_exact_mut(size).for_each(|column| column.swap(j, pivot));
+                }
+                let (left, right) = front.split_at_mut((j + 1) * size);
+                let column = &mut left[j * size..];
+                if column[j] == 0.0 || !column[j].is_finite() {
+                    return false;
+                }
+                let inverse = 1.0 / column[j];
+                column[j + 1..].iter_mut().for_each(|entry| *entry *= inverse);
+                for target in right.chunks_exact_mut(size).take(last - j - 1) {
+                    let factor = target[j];
+                    target[j + 1..].iter_mut().zip(&column[j + 1..]).for_each(|(entry, l)| *entry -= l * factor);
+                }
             }
-            let (left, right) = front.split_at_mut((j + 1) * size);
-            let column = &mut left[j * size..];
-            if column[j] == 0.0 || !column[j].is_finite() {
-                return false;
-            }
-            let inverse = 1.0 / column[j];
-            column[j + 1..].iter_mut().for_each(|entry| *entry *= inverse);
-            for target in right.chunks_exact_mut(size).take(end - j - 1) {
-                let factor = target[j];
-                target[j + 1..].iter_mut().zip(&column[j + 1..]).for_each(|(entry, l)| *entry -= l * factor);
-            }
+            update(front, size, [begin, last, end], copied);
         }
-        let (left, right) = front.split_at_mut(end * size);
-        copied.clear();
-        for target in right.chunks_exact_mut(size) {
-            for j in first..end {
-                let (factor, column) = (target[j], &left[j * size..]);
-                target[j + 1..end].iter_mut().zip(&column[j + 1..end]).for_each(|(entry, l)| *entry -= l * factor);
-            }
-            copied.extend_from_slice(&target[first..end]);
-        }
-        let (rest, terms) = (size - end, end - first);
-        if rest > 0 {
-            subtract(&mut right[end..], [rest, rest, terms], size, &left[first * size + end..], copied, [1, terms]);
-        }
+        update(front, size, [first, end, size], copied);
         first = end;
     }
     true
+}
+
+/// Subtracts from the columns end .. limit what the eliminated columns first .. end do to them.
+fn update(front: &mut [f64], size: usize, [first, end, limit]: [usize; 3], copied: &mut Vec<f64>) {
+    let (left, right) = front.split_at_mut(end * size);
+    copied.clear();
+    for target in right.chunks_exact_mut(size).take(limit - end) {
+        for j in first..end {
+            let (factor, column) = (target[j], &left[j * size..]);
+            target[j + 1..end].iter_mut().zip(&column[j + 1..end]).for_each(|(entry, l)| *entry -= l * factor);
+        }
+        copied.extend_from_slice(&target[first..end]);
+    }
+    if limit > end {
+        let sizes = [size - end, limit - end, end - first];
+        subtract(&mut right[end..], sizes, size, &left[first * size + end..], copied, [1, end - first]);
+    }
 }
 
 #[cfg(test)]

@@ -5,6 +5,10 @@
 /// Set.
 pub const PANEL: usize = 24;
 
+/// Columns of a panel that are eliminated one by one before the rest of it is updated by all of them in one pass.
+/// Set.
+pub const COLUMNS: usize = 4;
+
 /// Columns that one product updates: the triangle above the diagonal that is computed in vain is this wide.
 /// Set.
 pub const STRIP: usize = 48;
