@@ -118,15 +118,27 @@ fn update(front: &mut [f64], size: usize, [first, end, limit]: [usize; 3], copie
     let (left, right) = front.split_at_mut(end * size);
     copied.clear();
     for target in right.chunks_exact_mut(size).take(limit - end) {
-        for j in first..end {
-            let (factor, column) = (target[j], &left[j * size..]);
-            target[j + 1..end].iter_mut().zip(&column[j + 1..end]).for_each(|(entry, l)| *entry -= l * factor);
-        }
+        forward(left, size, [first, end], target);
         copied.extend_from_slice(&target[first..end]);
     }
     if limit > end {
         let sizes = [size - end, limit - end, end - first];
         subtract(&mut right[end..], sizes, size, &left[first * size + end..], copied, [1, end - first]);
+    }
+}
+
+/// Solves with the unit lower triangle of the columns first .. end in place, a few of them at a time.
+fn forward(lower: &[f64], size: usize, [first, end]: [usize; 2], x: &mut [f64]) {
+    for begin in (first..end).step_by(COLUMNS) {
+        let last = (begin + COLUMNS).min(end);
+        for j in begin..last {
+            let (known, column) = (x[j], &lower[j * size..]);
+            x[j + 1..last].iter_mut().zip(&column[j + 1..last]).for_each(|(x, l)| *x -= l * known);
+        }
+        if last < end {
+            let (known, rest) = x.split_at_mut(last);
+            subtract(&mut rest[..end - last], [end - last, 1, last - begin], size, &lower[begin * size + last..], &known[begin..], [1, 0]);
+        }
     }
 }
 

@@ -29,7 +29,7 @@ pub(super) struct Factor {
     is_symmetric: bool,
     /// The pivot columns of every node.
     lower: Vec<f64>,
-    /// Where J is not symmetric the pivot rows of every node, row after row.
+    /// Where J is not symmetric the pivot rows of every node, column after column.
     upper: Vec<f64>,
     /// The exchanges of every node's pivot rows, one after the other, where J is not symmetric.
     exchanged: Vec<usize>,
@@ -105,10 +105,8 @@ impl Factor {
         let range = node.offset..node.offset + node.size * node.pivots;
         self.lower[range.clone()].copy_from_slice(&front[..node.size * node.pivots]);
         if !self.is_symmetric {
-            let rows = &mut self.upper[range];
-            for (j, column) in front.chunks_exact(node.size.max(1)).enumerate() {
-                (0..node.pivots).for_each(|i| rows[i * node.size + j] = column[i]);
-            }
+            let upper = self.upper[range].chunks_exact_mut(node.pivots.max(1));
+            upper.zip(front.chunks_exact(node.size.max(1))).for_each(|(kept, column)| kept.copy_from_slice(&column[..node.pivots]));
         }
     }
 
@@ -136,15 +134,39 @@ impl Factor {
             }
             scatter(tree, id, x, part);
         }
-        let upper = if self.is_symmetric { &self.lower } else { &self.upper };
         for (id, node) in tree.nodes.iter().enumerate().rev() {
             gather(tree, id, x, part);
-            for j in (0..node.pivots).rev() {
-                let row = &upper[node.offset + j * node.size..node.offset + (j + 1) * node.size];
-                let known: f64 = row[j + 1..].iter().zip(&part[j + 1..]).map(|(u, x)| u * x).sum();
-                part[j] = (part[j] - known) / row[j];
+            if self.is_symmetric {
+                self.backward_transposed(node, part);
+            } else {
+                self.backward(node, part);
             }
             scatter(tree, id, x, part);
+        }
+    }
+
+    /// U x = b at the pivots of a node, by the rows of U = Lᵀ.
+    fn backward_transposed(&self, node: &Node, part: &mut [f64]) {
+        for j in (0..node.pivots).rev() {
+            let row = &self.lower[node.offset + j * node.size..node.offset + (j + 1) * node.size];
+            let known: f64 = row[j + 1..].iter().zip(&part[j + 1..]).map(|(u, x)| u * x).sum();
+            part[j] = (part[j] - known) / row[j];
+        }
+    }
+
+    /// U x = b at the pivots of a node, by columns.
+    fn backward(&self, node: &Node, part: &mut [f64]) {
+        let upper = &self.upper[node.offset..node.offset + node.size * node.pivots];
+        let column = |j: usize| &upper[j * node.pivots..(j + 1) * node.pivots];
+        let (own, known) = part.split_at_mut(node.pivots);
+        for (place, x) in known.iter().enumerate() {
+            own.iter_mut().zip(column(node.pivots + place)).for_each(|(own, u)| *own -= u * x);
+        }
+        for j in (0..node.pivots).rev() {
+            let column = column(j);
+            own[j] /= column[j];
+            let x = own[j];
+            own[..j].iter_mut().zip(column).for_each(|(own, u)| *own -= u * x);
         }
     }
 }
