@@ -52,6 +52,15 @@ impl Mass {
         }
     }
 
+    /// max |M_ij|.
+    pub fn largest(&self) -> f64 {
+        match self {
+            Mass::Diagonal(diagonal) => diagonal.amax(),
+            Mass::Blocks(blocks) => blocks.iter().map(DMatrix::amax).fold(0.0, f64::max),
+            Mass::Dense(dense) => dense.amax(),
+        }
+    }
+
     /// M v.
     ///
     /// # Panics
@@ -126,7 +135,15 @@ impl Inertia {
     /// # Errors
     /// [`Error::Invalid`] if a velocity has the inertia +∞.
     pub fn finite_matrix(&self) -> Result<&DMatrix<f64>> {
-        if self.mass.is_finite() { Ok(self.matrix()) } else { Err(Error::invalid("mass", "is infinite", UNMOVED)) }
+        self.finite_mass().map(|_| self.matrix())
+    }
+
+    /// [`Inertia::mass`] for what computes with M itself, not with M⁻¹.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if a velocity has the inertia +∞.
+    pub fn finite_mass(&self) -> Result<&Mass> {
+        if self.mass.is_finite() { Ok(&self.mass) } else { Err(Error::invalid("mass", "is infinite", UNMOVED)) }
     }
 
     /// Its factor.

@@ -24,7 +24,7 @@
 
 use super::assembly::{self, normal_only};
 use super::{Inertia, Scheme, Step, StepContext, StepProblem, Waist, passes_the_waist};
-use crate::mechanics::{Mechanism, State};
+use crate::mechanics::{LinearForce, Mechanism, State};
 use crate::tolerance::schemes::asymmetry;
 use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::contact::{Components, pairs};
@@ -69,10 +69,8 @@ struct Weights {
 struct Smooth {
     weights: Weights,
     memory: Memory,
-    /// S.
-    stiff_mass: MassFactor<f64>,
-    /// ½ h K + C: a⁺ falls by S⁻¹ of it times w.
-    reaction: DMatrix<f64>,
+    /// Springs and dampers, if there are any.
+    springs: Option<Springs>,
     /// M̂.
     effective_mass: Arc<Inertia>,
     /// M.
@@ -81,6 +79,50 @@ struct Smooth {
     acceleration: DVector<f64>,
     /// v⁺ with w = 0.
     velocity: DVector<f64>,
+}
+
+/// What springs and dampers add to a step; without them S = c M and M̂ = M.
+struct Springs {
+    /// S.
+    stiff_mass: MassFactor<f64>,
+    /// ½ h K + C: a⁺ falls by S⁻¹ of it times w.
+    reaction: DMatrix<f64>,
+    /// M̂.
+    effective_mass: Arc<Inertia>,
+    /// What they add to the load: −K (q⁺ − q with a⁺ = 0) − C h (1−γ) a.
+    load: DVector<f64>,
+}
+
+impl Springs {
+    fn new(
+        LinearForce { stiffness, damping }: LinearForce,
+        weights: &Weights,
+        inertia: &DMatrix<f64>,
+        h: f64,
+        memory: &Memory,
+        velocity: &DVector<f64>,
+    ) -> Result<Self> {
+        let share = weights.share();
+        let stiff = inertia * share + &stiffness * (h * h * weights.beta) + &damping * (h * weights.gamma);
+        let inner = inertia * share + &stiffness * (h * h * (weights.beta - 0.5 * weights.gamma));
+        let inner = MassFactor::new(&inner)?;
+        let columns: Vec<DVector<f64>> = stiff.column_iter().map(|column| inner.solve(&column.into_owned())).collect();
+        let effective_mass = inertia * DMatrix::from_columns(&columns);
+        if (&effective_mass - effective_mass.transpose()).amax() > asymmetry(effective_mass.amax(), velocity.len()) {
+            return Err(Error::Unsupported("generalised-alpha needs damping that is proportional to mass or stiffness".into()));
+        }
+        let effective_mass = Arc::new(Inertia::new((&effective_mass + effective_mass.transpose()) * 0.5)?);
+        let drift = velocity * h + &memory.acceleration * (h * h * (0.5 - weights.beta));
+        let load = -(&stiffness * &drift) - &damping * &memory.acceleration * (h * (1.0 - weights.gamma));
+        Ok(Springs { stiff_mass: MassFactor::new(&stiff)?, reaction: stiffness * (0.5 * h) + damping, effective_mass, load })
+    }
+}
+
+impl Weights {
+    /// c.
+    fn share(&self) -> f64 {
+        (1.0 - self.mass) / (1.0 - self.force)
+    }
 }
 
 impl GeneralisedAlpha {
@@ -110,40 +152,32 @@ impl GeneralisedAlpha {
         let (mechanism, state, h) = (at.mechanism(), at.state(), at.h());
         let (weights, State { position, velocity, .. }) = (self.weights(), state);
         let (mass, force) = (at.inertia()?, mechanism.mean_force(position, velocity, h));
-        let inertia = mass.matrix();
         let start = || Memory { acceleration: mass.solve(&force), rate: mass.solve(&force) };
         let memory = self.memory.clone().unwrap_or_else(start);
-        let zero = || DMatrix::zeros(velocity.len(), velocity.len());
-        let (stiffness, damping) = mechanism.linear_force().map_or_else(|| (zero(), zero()), |linear| (linear.stiffness, linear.damping));
-        let share = (1.0 - weights.mass) / (1.0 - weights.force);
-        let stiff = inertia * share + &stiffness * (h * h * weights.beta) + &damping * (h * weights.gamma);
-        let inner = inertia * share + &stiffness * (h * h * (weights.beta - 0.5 * weights.gamma));
-        let inner = MassFactor::new(&inner)?;
-        let columns: Vec<DVector<f64>> = stiff.column_iter().map(|column| inner.solve(&column.into_owned())).collect();
-        let effective_mass = inertia * DMatrix::from_columns(&columns);
-        if (&effective_mass - effective_mass.transpose()).amax() > asymmetry(effective_mass.amax(), velocity.len()) {
-            return Err(Error::Unsupported("generalised-alpha needs damping that is proportional to mass or stiffness".into()));
-        }
-        let effective_mass = Arc::new(Inertia::new((&effective_mass + effective_mass.transpose()) * 0.5)?);
-        let drift = velocity * h + &memory.acceleration * (h * h * (0.5 - weights.beta));
-        let kept = inertia * (&memory.acceleration * weights.mass - &memory.rate * weights.force) / (1.0 - weights.force);
-        let load = force - &stiffness * &drift - &damping * &memory.acceleration * (h * (1.0 - weights.gamma)) - kept;
-        let stiff_mass = MassFactor::new(&stiff)?;
-        let acceleration = stiff_mass.solve(&load);
+        let linear = mechanism.linear_force();
+        let springs = linear.map(|linear| Springs::new(linear, &weights, mass.finite_matrix()?, h, &memory, velocity)).transpose()?;
+        let kept = (&memory.acceleration * weights.mass - &memory.rate * weights.force) / (1.0 - weights.force);
+        let acceleration = match &springs {
+            Some(springs) => springs.stiff_mass.solve(&(force + &springs.load - mass.mass().times(&kept))),
+            None => (mass.solve(&force) - kept) / weights.share(),
+        };
+        let effective_mass = springs.as_ref().map_or_else(|| mass.clone(), |springs| springs.effective_mass.clone());
         let velocity = velocity + &memory.acceleration * (h * (1.0 - weights.gamma)) + &acceleration * (h * weights.gamma);
-        Ok(Smooth { weights, memory, stiff_mass, reaction: stiffness * (0.5 * h) + damping, effective_mass, mass, acceleration, velocity })
+        Ok(Smooth { weights, memory, springs, effective_mass, mass, acceleration, velocity })
     }
 }
 
 impl Smooth {
     /// a⁺ with the jump w.
     fn acceleration_after(&self, jump: &DVector<f64>) -> DVector<f64> {
-        &self.acceleration - self.stiff_mass.solve(&(&self.reaction * jump))
+        let falls = self.springs.as_ref().map(|Springs { stiff_mass, reaction, .. }| stiff_mass.solve(&(reaction * jump)));
+        falls.map_or_else(|| self.acceleration.clone(), |falls| &self.acceleration - falls)
     }
 
-    /// w from v⁺: M w = Hᵀr = M̂ (v⁺ − v_free).
+    /// w from v⁺: M w = Hᵀr = M̂ (v⁺ − v_free), without springs the change of velocity itself.
     fn jump(&self, velocity_post: &DVector<f64>) -> DVector<f64> {
-        self.mass.solve(&(self.effective_mass.matrix() * (velocity_post - &self.velocity)))
+        let change = velocity_post - &self.velocity;
+        if self.springs.is_none() { change } else { self.mass.solve(&self.effective_mass.mass().times(&change)) }
     }
 
     /// (q⁺ − q)/h.
@@ -162,7 +196,7 @@ impl Scheme for GeneralisedAlpha {
         let smooth = self.smooth(&StepContext::new(mechanism, before, h)?)?;
         let acceleration = smooth.acceleration_after(&smooth.jump(&step.state.velocity));
         let State { position, velocity, .. } = &step.state;
-        let rate = MassFactor::new(&mechanism.mass_matrix(position))?.solve(&mechanism.force(position, velocity));
+        let rate = Inertia::of(mechanism.mass(position))?.solve(&mechanism.force(position, velocity));
         Ok(Some(Box::new(GeneralisedAlpha { memory: Some(Memory { acceleration, rate }), ..*self })))
     }
 

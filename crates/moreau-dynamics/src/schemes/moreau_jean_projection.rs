@@ -22,7 +22,7 @@ use crate::least_squares::least_squares;
 use crate::mechanics::Mechanism;
 use crate::tolerance::schemes::{DEPENDENT_NORMALS, projected};
 use moreau_contact::certificate::StepResidual;
-use moreau_contact::contact::{Components, Contact, Identity, pairs};
+use moreau_contact::contact::{BodyRows, Components, Contact, Identity, pairs};
 use moreau_contact::problem::{ContactProblem, Law};
 use moreau_contact::solvers::{Auto, ContactSolver, LemkePivoting};
 use moreau_exact::{Error, Result};
@@ -67,16 +67,27 @@ fn project(mechanism: &dyn Mechanism, mut position: DVector<f64>, held: &[Identi
         let own: Vec<&Contact> =
             contacts.iter().enumerate().filter(|(k, contact)| is_held(*k, contact, held)).map(|(_, one)| one).collect();
         let gaps = DVector::from_iterator(own.len(), own.iter().map(|contact| contact.gap));
-        let normals = DMatrix::from_fn(own.len(), mechanism.degrees_of_freedom(), |i, j| own[i].jacobian[(0, j)]);
-        let metric = &normals * normals.transpose();
+        let metric = DMatrix::from_fn(own.len(), own.len(), |i, j| normals_product(own[i], own[j]));
         let size = metric.amax();
-        let correction = -normals.tr_mul(&least_squares("projection", metric, &gaps, |_| DEPENDENT_NORMALS * size)?);
+        let shares = least_squares("projection", metric, &gaps, |_| DEPENDENT_NORMALS * size)?;
+        let mut correction = DVector::zeros(mechanism.degrees_of_freedom());
+        for (contact, share) in own.iter().zip(shares.iter()) {
+            let mut along = Components::zeros(contact.jacobian.nrows());
+            along[0] = -share;
+            contact.jacobian.add_transposed(&along, correction.as_mut_slice());
+        }
         if correction.amax() <= projected(position.amax()) {
             return Ok(position);
         }
         position = mechanism.integrate(&position, &correction, 1.0);
     }
     Err(Error::limit("projection", format!("the contacts were not closed in {ITERATIONS} iterations; use a smaller step")))
+}
+
+/// The product of the normal rows of two contacts.
+fn normals_product(one: &Contact, other: &Contact) -> f64 {
+    let product = |part: BodyRows<'_>| (0..part.width).map(|axis| part.entries[axis] * other.jacobian[(0, part.first + axis)]).sum::<f64>();
+    one.jacobian.parts().map(product).sum()
 }
 
 impl MoreauJeanProjection {

@@ -24,12 +24,11 @@ use super::{Certified, Inertia, Scheme, Start, Step, StepContext, StepProblem};
 use crate::event_driven::root::falling_root;
 use crate::mechanics::{Mechanism, State, afford};
 use moreau_contact::certificate::StepResidual;
-use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::contact::{Contact, ContactImpulse};
 use moreau_contact::tolerance::certificate::CERTIFY;
 use moreau_exact::tolerance::rounding;
 use moreau_exact::{Error, Result};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 use std::sync::Arc;
 
 /// Discrete Euler–Lagrange equations with elastic impacts.
@@ -42,8 +41,7 @@ const LOOKS: usize = 8;
 /// A mechanism whose M is one matrix and whose forces have a potential.
 struct Conservative<'a> {
     mechanism: &'a dyn Mechanism,
-    mass: DMatrix<f64>,
-    factor: MassFactor<f64>,
+    inertia: Inertia,
 }
 
 /// A part of a step without impact.
@@ -66,14 +64,12 @@ struct Hit {
 impl<'a> Conservative<'a> {
     fn new(mechanism: &'a dyn Mechanism, state: &State, h: f64) -> Result<Self> {
         let (q, v) = (&state.position, &state.velocity);
-        let mass = mechanism.mass_matrix(q);
-        let factor = MassFactor::new(&mass)?;
-        let conservative = Conservative { mechanism, mass, factor };
-        if mechanism.mass_matrix(&conservative.fly(q, v, h).position) != conservative.mass {
+        let conservative = Conservative { mechanism, inertia: Inertia::of(mechanism.mass(q))? };
+        if mechanism.mass(&conservative.fly(q, v, h).position) != *conservative.inertia.finite_mass()? {
             return Err(conservative.refuse("one mass matrix for all positions"));
         }
         let (at_rest, moving) = (mechanism.force(q, &(v * 0.0)), mechanism.force(q, v));
-        let size = moving.amax() + conservative.mass.amax() * v.norm_squared();
+        let size = moving.amax() + conservative.inertia.mass().largest() * v.norm_squared();
         if (moving - at_rest).amax() > rounding(16, size) {
             return Err(conservative.refuse("forces that do not depend on the velocity"));
         }
@@ -86,7 +82,7 @@ impl<'a> Conservative<'a> {
 
     /// ½h M⁻¹F(q).
     fn kick(&self, position: &DVector<f64>, time: f64) -> DVector<f64> {
-        self.factor.solve(&self.mechanism.force(position, &DVector::zeros(self.mass.nrows()))) * (0.5 * time)
+        self.inertia.solve(&self.mechanism.force(position, &DVector::zeros(self.inertia.size()))) * (0.5 * time)
     }
 
     /// Verlet's step.
@@ -94,7 +90,7 @@ impl<'a> Conservative<'a> {
         let mean = velocity + self.kick(position, time);
         let end = self.mechanism.integrate(position, &mean, time);
         let potential = self.mechanism.potential_energy(position) + self.mechanism.potential_energy(&end);
-        let energy = 0.5 * (mean.dot(&(&self.mass * &mean)) + potential);
+        let energy = 0.5 * (mean.dot(&self.inertia.mass().times(&mean)) + potential);
         Part { velocity: mean + self.kick(&end, time), position: end, energy }
     }
 
@@ -142,7 +138,7 @@ impl<'a> Conservative<'a> {
             return Err(self.refuse("contact candidates that stay the same over a step"));
         };
         let normal = contact.jacobian.row(0).transpose();
-        let thrown = self.factor.solve(&normal);
+        let thrown = self.inertia.solve(&normal);
         let slides = |motion: &DVector<f64>| (&contact.jacobian * motion).iter().skip(1).any(|u| u.abs() > rounding(64, motion.amax()));
         let rubs = contact.friction != 0.0 && (slides(&touching.velocity) || slides(&thrown));
         if contact.restitution != 1.0 || rubs {
@@ -154,7 +150,7 @@ impl<'a> Conservative<'a> {
 
     /// r \[N·s\] along the normal row that keeps E_d over the rest of the step.
     fn impulse(&self, touching: &Part, normal: &DVector<f64>, rest: f64) -> Result<f64> {
-        let thrown = self.factor.solve(normal);
+        let thrown = self.inertia.solve(normal);
         let plastic = -normal.dot(&touching.velocity) / normal.dot(&thrown);
         let kept = |impulse: f64| {
             let after = self.fly(&touching.position, &(&touching.velocity + &thrown * impulse), rest);
@@ -177,12 +173,12 @@ impl<'a> Conservative<'a> {
         let touching = self.fly(&state.position, &state.velocity, time);
         let normal = self.normal(hit, &touching, state.position.amax() + h * state.velocity.amax())?;
         let impulse = self.impulse(&touching, &normal, h - time)?;
-        let leaving = &touching.velocity + self.factor.solve(&normal) * impulse;
+        let leaving = &touching.velocity + self.inertia.solve(&normal) * impulse;
         if h > time && self.first_hit(&touching.position, &leaving, h - time)?.is_some() {
             return Err(self.refuse("a step with at most one impact; take a smaller step"));
         }
         let after = self.fly(&touching.position, &leaving, h - time);
-        let moving = 0.5 * leaving.dot(&(&self.mass * &leaving));
+        let moving = 0.5 * leaving.dot(&self.inertia.mass().times(&leaving));
         let lost = (after.energy - touching.energy).abs() / moving.max(touching.energy.abs());
         Ok((after, Some(Hit { contact: hit, impulse, lost })))
     }
@@ -224,7 +220,7 @@ fn step(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Step> {
         places: impulses.iter().map(|one| one.place).collect(),
         jacobian: stack([].into_iter(), rows, velocity.len()),
         free_velocity: velocity.clone(),
-        effective_mass: Arc::new(Inertia::new(conservative.mass)?),
+        effective_mass: Arc::new(conservative.inertia),
     };
     let state = State { time: state.time + h, position, velocity };
     Ok(Step { state, impulses, assembled, solution: None, residual, rejected: None, impacts: None })

@@ -3,6 +3,7 @@
 use crate::scenes::{Body, Prescribed, Scene, named};
 use crate::schemes::{MoreauJean, StepContext, Waist, simulate};
 use moreau_contact::solvers::Auto;
+use moreau_contact::tolerance::certificate::CERTIFY;
 use moreau_exact::tolerance::rounding;
 
 const GRAVITY: f64 = 9.81;
@@ -77,8 +78,19 @@ fn unmoved_bodies_have_no_contact_with_each_other_and_none_with_the_ground_and_n
 }
 
 #[test]
-fn a_scheme_that_needs_the_mass_as_a_matrix_refuses_with_the_cure() {
+fn a_scheme_that_computes_with_the_mass_itself_refuses_with_the_cure() {
     let (mechanism, start) = on_a_belt(1.0).spatial_mechanism().expect("valid");
-    let refused = simulate(&crate::schemes::GeneralisedAlpha::default(), &Auto, mechanism.as_ref(), start, 0.01, 1);
+    let refused = simulate(&crate::schemes::Variational, &Auto, mechanism.as_ref(), start, 0.01, 1);
     assert!(refused.expect_err("no matrix").to_string().contains("`moreau-jean`"));
+}
+
+/// μ g h a step, as long as it slides, and the belt's speed afterwards; what is planted is a belt of finite mass, which would be braked.
+#[test]
+fn generalised_alpha_carries_a_load_on_a_belt_whose_velocity_is_prescribed() {
+    let (mechanism, start) = on_a_belt(1.0).spatial_mechanism().expect("valid");
+    let scheme = crate::schemes::GeneralisedAlpha::default();
+    let run = simulate(&scheme, &Auto, mechanism.as_ref(), start, 0.01, 200).expect("steps");
+    let speeds = |step: usize| [run.samples[step].velocity[0], run.samples[step].velocity[6]];
+    assert!((speeds(1)[0] - 0.25 * GRAVITY * 0.01).abs() <= CERTIFY, "{}", speeds(1)[0]);
+    assert!((speeds(200)[0] - 1.0).abs() <= CERTIFY && speeds(200)[1] == 1.0, "{:?}", speeds(200));
 }
