@@ -3,7 +3,7 @@
 use crate::certificate::joints::{JointedResiduals, jointed_residuals};
 use crate::certificate::natural_map::of_unit_mass;
 use crate::certificate::residuals;
-use crate::problem::{ContactProblem, Posed, Solution};
+use crate::problem::{ContactKey, ContactProblem, Posed, Solution};
 use crate::report::certificate::Certificate;
 use crate::report::proofs::{no_solution, no_solution_jointed, none_of_the_patterns};
 use crate::solvers::{self, ContactSolver, WithoutJoints, solve_jointed};
@@ -17,6 +17,14 @@ pub fn name(posed: &Posed) -> &str {
     match posed {
         Posed::Contacts(problem) => problem.name(),
         Posed::Jointed(problem) => problem.name(),
+    }
+}
+
+/// Which contact each is, where that is known of contacts alone: with joints an answer has no keys.
+pub fn keys(posed: &Posed) -> Option<Vec<ContactKey>> {
+    match posed {
+        Posed::Contacts(problem) => problem.keys().map(<[_]>::to_vec),
+        Posed::Jointed(_) => None,
     }
 }
 
