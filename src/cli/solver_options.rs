@@ -4,7 +4,7 @@ use super::limits::check_tolerance;
 use super::solver_table::check_name;
 use crate::solvers::watch::Interrupt;
 use crate::solvers::{self, ContactSolver};
-use crate::tolerance::cli::{ASKED_SHARE, CERTIFY};
+use crate::tolerance::cli::{ASKED_SHARE, CERTIFY, LONGEST_SECONDS};
 use crate::{Error, Result};
 use std::sync::mpsc;
 use std::time::Duration;
@@ -35,8 +35,9 @@ impl ToleranceOption {
     pub fn check(&self) -> Result<()> {
         check_tolerance("--tolerance", self.accepted())?;
         match self.time_limit {
-            Some(seconds) if !(seconds > 0.0 && Duration::try_from_secs_f64(seconds).is_ok()) => {
-                Err(Error::invalid("--time-limit", format!("is {seconds}"), "give a time > 0 in seconds"))
+            Some(seconds) if !(seconds > 0.0 && seconds <= LONGEST_SECONDS) => {
+                let cure = format!("give a time above 0 and up to {LONGEST_SECONDS:e} seconds, or leave it out for no limit");
+                Err(Error::invalid("--time-limit", format!("is {seconds:?}"), cure))
             }
             _ => Ok(()),
         }
