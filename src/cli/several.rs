@@ -112,8 +112,17 @@ pub fn show(answers: &Answers, format: Format) -> Result<Answer> {
         Format::Text => answers.text(),
         Format::Json => pretty(answers)?,
     })?;
+    if answers.missing() > 0 {
+        print_aside(&format!(
+            "error: {} of {} problems have no answer; the result says where it is looked for\n",
+            answers.missing(),
+            answers.problems.len()
+        ));
+    }
     if answers.refused() > 0 {
         tell_refused(answers.refused(), answers.problems.len());
+    }
+    if answers.missing() + answers.refused() > 0 {
         return Ok(Answer::BadInput);
     }
     Ok(answers.all_solved().into())
