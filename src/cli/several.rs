@@ -1,6 +1,6 @@
 //! Several problems in one command: the files of a folder, and what becomes of those that cannot be read.
 
-use super::output::{print, print_aside};
+use super::output::{print, print_aside, table};
 use super::{Answer, Format};
 use crate::report::answers::Answers;
 use crate::report::json::pretty;
@@ -109,7 +109,7 @@ pub fn tell_refused(refused: usize, problems: usize) {
 /// [`Error::Write`].
 pub fn show(answers: &Answers, format: Format) -> Result<Answer> {
     print(&match format {
-        Format::Text => answers.text(),
+        Format::Text => table(answers.text()),
         Format::Json => pretty(answers)?,
     })?;
     if answers.missing() > 0 {
