@@ -29,13 +29,14 @@ mod lcp;
 mod matrix;
 mod solution;
 mod sparse_rows;
+mod streamed;
 
 pub use file::ProblemFile;
 use file::{ComplianceFile, PROBLEM_SCHEMA, read_compliance, read_keys, read_kinds, read_law, read_operator, text, write_keys, written};
 pub use lcp::LcpFile;
 use matrix::MatrixFile;
-
 pub use solution::{SolutionFile, WarmStart};
+
 /// The text of a problem may take this part of the memory: its numbers and matrices take the rest.
 const TEXT_SHARE: u64 = 4;
 /// A number of a text that is read: in its list, which may be twice as long as it is full, and in its matrix \[bytes\].
@@ -53,7 +54,11 @@ impl Posed {
         }
         let ends = |end: &str| file.extension().is_some_and(|found| found.eq_ignore_ascii_case(end));
         let is_named_hdf5 = ends("hdf5") || ends("h5");
-        let text = match read_problem(file, memory::limit() / TEXT_SHARE, "or allow more with --max-memory") {
+        let limit = memory::limit() / TEXT_SHARE;
+        if let Some(fields) = streamed::read(file, limit) {
+            return Self::of_fields(fields).map_err(|error| error.in_file(file));
+        }
+        let text = match read_problem(file, limit, "or allow more with --max-memory") {
             Err(Error::Read { .. }) if is_named_hdf5 && file.is_file() => return Err(no_hdf5().in_file(file)),
             read => read?,
         };
@@ -76,7 +81,10 @@ impl Posed {
         if schema_of(text, &[PROBLEM_SCHEMA, lcp::LCP_SCHEMA])? == lcp::LCP_SCHEMA {
             return lcp::read(text).map(Self::contacts);
         }
-        let mut file: ProblemFile = read_object(text, PROBLEM_SCHEMA)?;
+        Self::of_fields(read_object(text, PROBLEM_SCHEMA)?)
+    }
+
+    fn of_fields(mut file: ProblemFile) -> Result<Self> {
         if !(1..=3).contains(&file.dimension) {
             return Err(Error::invalid("dimension", format!("is {}", file.dimension), ROWS));
         }
