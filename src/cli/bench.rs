@@ -1,7 +1,7 @@
 //! `moreau bench`: times solvers on problems, each beside the residual of its certified answer.
 
 use super::limits::CommonOptions;
-use super::output::print;
+use super::output::{print, table};
 use super::posed::{self, answer_of};
 use super::problem_law::LawOption;
 use super::solver_options::ToleranceOption;
@@ -119,7 +119,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let refused = all.failed.iter().map(Failed::told).collect();
     let bench = Bench::new(arguments.tolerance.accepted(), all.runs).with_refused(refused);
     print(&match arguments.common.format {
-        Format::Text => bench.text(),
+        Format::Text => table(bench.text()),
         Format::Json => pretty(&bench)?,
     })?;
     let refused = bench.refused_problems();

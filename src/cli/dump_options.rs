@@ -2,7 +2,7 @@
 
 use crate::certificate::residuals;
 use crate::files::write_together;
-use crate::problem::{ContactProblem, Solution};
+use crate::problem::{ContactKey, ContactProblem, Solution};
 use crate::schemes::Step;
 use crate::{Error, Result};
 use std::path::{Path, PathBuf};
@@ -71,21 +71,37 @@ impl Dumps<'_> {
             };
             let posed = step.assembled.problem.as_ref().zip(step.solution.as_ref());
             let (problem, solution) = posed.or(step.rejected.as_ref().map(|one| (&one.problem, &one.solution))).ok_or_else(missing)?;
-            write(problem, solution, file)?;
+            write(step, problem, solution, file)?;
         }
         match (self.rejected, &step.rejected) {
-            (Some(folder), Some(one)) => write(&one.problem, &one.solution, &folder.join(format!("step-{:06}.json", self.seen))),
+            (Some(folder), Some(one)) => write(step, &one.problem, &one.solution, &folder.join(format!("step-{:06}.json", self.seen))),
             _ => Ok(()),
         }
     }
 }
 
-/// Writes `name.json` and `name-solution.json`.
-fn write(problem: &ContactProblem, solution: &Solution, file: &Path) -> Result<()> {
+/// Writes `name.json` and `name-solution.json`, with keys where bodies and features tell the contacts apart.
+fn write(step: &Step, problem: &ContactProblem, solution: &Solution, file: &Path) -> Result<()> {
+    let (keyed, mut answer);
+    let (problem, solution) = match keys(step, problem) {
+        Some(keys) => {
+            keyed = problem.clone().into_builder().keys(Some(keys.clone())).build()?;
+            answer = solution.clone();
+            answer.keys = Some(keys);
+            (&keyed, &answer)
+        }
+        None => (problem, solution),
+    };
     let stem = file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let ending = file.extension().map(|ending| format!(".{}", ending.to_string_lossy())).unwrap_or_default();
     let beside = file.with_file_name(format!("{stem}-solution{ending}"));
     let found = serde_json::to_value(residuals(problem, solution)?)?;
     let (problem, solution) = (problem.to_json(), solution.to_json(Some(problem.name()), Some(found)));
     write_together(&[(file, problem.as_bytes()), (&beside, solution.as_bytes())])
+}
+
+/// Which contact each of a problem is, if it is the one that the step holds: a scheme may pose others on the way.
+fn keys(step: &Step, problem: &ContactProblem) -> Option<Vec<ContactKey>> {
+    let is_held = step.assembled.problem.as_ref() == Some(problem);
+    is_held.then(|| ContactKey::of_places(&step.assembled.places)).flatten()
 }

@@ -94,9 +94,23 @@ pub fn style() -> Style {
 /// The columns of the terminal that standard output is, or of `COLUMNS`; lines that are too long to follow and too short to hold a word
 /// are not made.
 fn columns() -> Option<usize> {
+    asked_columns().map(|width| width.min(Style::PLAIN.width))
+}
+
+/// The columns that there are, where somebody says so.
+fn asked_columns() -> Option<usize> {
     let terminal = terminal_size::terminal_size_of(std::io::stdout()).map(|(width, _)| usize::from(width.0));
     let asked = || std::env::var("COLUMNS").ok()?.parse().ok();
-    terminal.or_else(asked).filter(|width| *width > 0).map(|width| width.clamp(NARROWEST, Style::PLAIN.width))
+    terminal.or_else(asked).filter(|width| *width > 0).map(|width: usize| width.max(NARROWEST))
+}
+
+/// A table: rows that are wider than the terminal, or than `COLUMNS`, go on in another line, four columns farther in. Where neither says
+/// how wide lines may be, as for `grep`, a row is a line.
+pub fn table(text: String) -> String {
+    match asked_columns() {
+        Some(width) => Style { colour: false, width }.fitted(&text),
+        None => text,
+    }
 }
 
 /// Columns below which lines are not made shorter.

@@ -3,7 +3,7 @@
 use crate::certificate::joints::{JointedResiduals, jointed_residuals};
 use crate::certificate::natural_map::of_unit_mass;
 use crate::certificate::residuals;
-use crate::problem::{ContactProblem, Posed, Solution};
+use crate::problem::{ContactKey, ContactProblem, Posed, Solution};
 use crate::report::certificate::Certificate;
 use crate::report::proofs::{no_solution, no_solution_jointed, none_of_the_patterns};
 use crate::solvers::{self, ContactSolver, WithoutJoints, solve_jointed};
@@ -20,6 +20,14 @@ pub fn name(posed: &Posed) -> &str {
     }
 }
 
+/// Which contact each is, where that is known of contacts alone: with joints an answer has no keys.
+pub fn keys(posed: &Posed) -> Option<Vec<ContactKey>> {
+    match posed {
+        Posed::Contacts(problem) => problem.keys().map(<[_]>::to_vec),
+        Posed::Jointed(_) => None,
+    }
+}
+
 /// How many contacts and joints it has.
 pub fn constraints(posed: &Posed) -> usize {
     match posed {
@@ -31,7 +39,7 @@ pub fn constraints(posed: &Posed) -> usize {
 /// Refuses what takes more memory than is allowed before it is begun.
 pub fn require_memory(posed: &Posed) -> Result<()> {
     match posed {
-        Posed::Contacts(problem) if problem.delassus().blocks().is_none() => {
+        Posed::Contacts(problem) if !problem.delassus().has_blocks() => {
             memory::require(format_args!("solving {} rows", problem.rows()), 8 * memory::matrix(problem.rows(), problem.rows()))
         }
         // joints are measured when they are read

@@ -1,6 +1,6 @@
 //! Several problems in one command: the files of a folder, and what becomes of those that cannot be read.
 
-use super::output::{print, print_aside};
+use super::output::{print, print_aside, table};
 use super::{Answer, Format};
 use crate::report::answers::Answers;
 use crate::report::json::pretty;
@@ -109,11 +109,20 @@ pub fn tell_refused(refused: usize, problems: usize) {
 /// [`Error::Write`].
 pub fn show(answers: &Answers, format: Format) -> Result<Answer> {
     print(&match format {
-        Format::Text => answers.text(),
+        Format::Text => table(answers.text()),
         Format::Json => pretty(answers)?,
     })?;
+    if answers.missing() > 0 {
+        print_aside(&format!(
+            "error: {} of {} problems have no answer; the result says where it is looked for\n",
+            answers.missing(),
+            answers.problems.len()
+        ));
+    }
     if answers.refused() > 0 {
         tell_refused(answers.refused(), answers.problems.len());
+    }
+    if answers.missing() + answers.refused() > 0 {
         return Ok(Answer::BadInput);
     }
     Ok(answers.all_solved().into())

@@ -4,7 +4,7 @@ use super::limits::check_tolerance;
 use super::solver_table::check_name;
 use crate::solvers::watch::Interrupt;
 use crate::solvers::{self, ContactSolver};
-use crate::tolerance::cli::{ASKED_SHARE, CERTIFY};
+use crate::tolerance::cli::{ASKED_SHARE, CERTIFY, LONGEST_SECONDS};
 use crate::{Error, Result};
 use std::sync::mpsc;
 use std::time::Duration;
@@ -17,7 +17,8 @@ pub struct ToleranceOption {
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: Option<f64>,
     /// End a solve after this time with the best answer so far, which the next run need not find again: it is marked as not reproducible.
-    /// Iterations look between their steps, eliminations between their fronts, pivoting methods between their pivots.
+    /// Iterations look between their steps, sweeps between their contacts, eliminations between their fronts, pivoting methods between their
+    /// pivots; Clarabel looks between its iterations, whose factorisations it ends no sooner.
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
     time_limit: Option<f64>,
 }
@@ -35,8 +36,9 @@ impl ToleranceOption {
     pub fn check(&self) -> Result<()> {
         check_tolerance("--tolerance", self.accepted())?;
         match self.time_limit {
-            Some(seconds) if !(seconds > 0.0 && Duration::try_from_secs_f64(seconds).is_ok()) => {
-                Err(Error::invalid("--time-limit", format!("is {seconds}"), "give a time > 0 in seconds"))
+            Some(seconds) if !(seconds > 0.0 && seconds <= LONGEST_SECONDS) => {
+                let cure = format!("give a time above 0 and up to {LONGEST_SECONDS:e} seconds, or leave it out for no limit");
+                Err(Error::invalid("--time-limit", format!("is {seconds:?}"), cure))
             }
             _ => Ok(()),
         }

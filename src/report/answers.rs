@@ -20,9 +20,10 @@ pub struct Answers {
 pub struct AnswerLine {
     /// The file.
     pub problem: String,
-    /// How it ended: that of the certificate; without an answer that of the solver; `bad-input` where a file cannot be used.
+    /// How it ended: that of the certificate; without an answer that of the solver; `bad-input` where a file cannot be used, `no-answer`
+    /// where there is no file of an answer.
     #[schemars(extend("enum" =
-        ["solved", "rejected", "stalled", "limit", "infeasible", "refused", "breakdown", "ray", "bad-input"]))]
+        ["solved", "rejected", "stalled", "limit", "infeasible", "refused", "breakdown", "ray", "bad-input", "no-answer"]))]
     pub status: &'static str,
     /// Number of contacts, limits and bilateral constraints; absent where the problem cannot be read.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -45,11 +46,25 @@ pub struct AnswerLine {
 
 /// The status of a problem whose file, or whose answer's file, cannot be used.
 const BAD_INPUT: &str = "bad-input";
+/// The status of a problem whose answer is not there.
+const NO_ANSWER: &str = "no-answer";
+/// The status of a problem without solution.
+const INFEASIBLE: &str = "infeasible";
 /// Columns of the text for the name of a solver.
 const WIDEST: usize = 24;
 
 impl AnswerLine {
-    /// A problem that cannot be read, or an answer that is missing or does not fit it.
+    /// A problem whose answer is not there.
+    pub fn missing(problem: String, contacts: usize, reason: String) -> Self {
+        AnswerLine { problem, status: NO_ANSWER, contacts: Some(contacts), reason: Some(reason), ..AnswerLine::default() }
+    }
+
+    /// A problem whose answer is not there, because it has no solution, as is proved.
+    pub fn infeasible(problem: String, contacts: usize, proof: String) -> Self {
+        AnswerLine { problem, status: INFEASIBLE, contacts: Some(contacts), reason: Some(proof), ..AnswerLine::default() }
+    }
+
+    /// A problem that cannot be read, or an answer that does not fit it.
     pub fn bad_input(problem: String, contacts: Option<usize>, reason: String) -> Self {
         AnswerLine { problem, status: BAD_INPUT, contacts, reason: Some(reason), ..AnswerLine::default() }
     }
@@ -87,8 +102,8 @@ impl AnswerLine {
     fn end(&self) -> String {
         match (self.solution, self.status, &self.reason) {
             (true, ..) => "solved".into(),
-            (false, "infeasible", _) => "not solved: no solution, as is proved".into(),
-            (false, BAD_INPUT, Some(reason)) => reason.clone(),
+            (false, INFEASIBLE, _) => "not solved: no solution, as is proved".into(),
+            (false, BAD_INPUT | NO_ANSWER, Some(reason)) => reason.clone(),
             (false, status, None) => format!("not solved: {status}"),
             (false, _, Some(reason)) => format!("not solved: {reason}"),
         }
@@ -98,7 +113,16 @@ impl AnswerLine {
 impl Answers {
     /// How many problems cannot be used.
     pub fn refused(&self) -> usize {
-        self.problems.iter().filter(|line| line.status == BAD_INPUT).count()
+        self.count(BAD_INPUT)
+    }
+
+    /// How many answers are not there.
+    pub fn missing(&self) -> usize {
+        self.count(NO_ANSWER)
+    }
+
+    fn count(&self, status: &str) -> usize {
+        self.problems.iter().filter(|line| line.status == status).count()
     }
 
     /// Whether every answer is accepted.
@@ -121,11 +145,11 @@ impl Answers {
             let _ = writeln!(text, "{problem:width$} {contacts:>8} {solver:solvers$} {relative:>10}  {end}");
         }
         let solved = self.problems.iter().filter(|line| line.solution).count();
-        let refused = match self.refused() {
-            0 => String::new(),
-            count => format!(", {count} cannot be used"),
-        };
-        let _ = writeln!(text, "{solved} of {} solved{refused}", self.problems.len());
+        let _ = write!(text, "{solved} of {} solved", self.problems.len());
+        for (count, what) in [(self.missing(), "without answer"), (self.refused(), "cannot be used")] {
+            let _ = if count > 0 { write!(text, ", {count} {what}") } else { Ok(()) };
+        }
+        text.push('\n');
         text
     }
 }

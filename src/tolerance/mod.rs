@@ -277,6 +277,10 @@ pub mod cli {
     /// Set.
     pub const ASKED_SHARE: f64 = 0.5;
 
+    /// Longest time that a solve may be given \[s\]: thirty years, beyond which clocks of some machines do not count.
+    /// Set.
+    pub const LONGEST_SECONDS: f64 = 1e9;
+
     /// Most steps `simulate` records: a body takes about 200 bytes per step in memory and 300 in a file, so that a scene
     /// of a few bodies stays near a gigabyte.
     /// Set.

@@ -184,3 +184,15 @@ fn impulses_alone_are_an_answer() {
     let short = folder.file("short.json", r#"{"schema": "solution/1", "impulse": [1]}"#);
     moreau(&["certify", &problem, &short]).is_refused(&["short.json", "`impulse`: has size 1; give size 2"]);
 }
+
+#[test]
+fn a_misspelt_field_is_told_with_the_one_that_is_meant() {
+    let folder = Folder::new("advice-meant");
+    let refused = |from: &str, to: &str, words: &[&str]| {
+        moreau(&["solve", &folder.file("problem.json", &PROBLEM.replace(from, to))]).is_refused(words);
+    };
+    refused("delassus", "delasus", &["`delasus`: unknown field", "did you mean `delassus`? see the schema contact-problem/1"]);
+    refused("rows", "row", &["`delassus.row`", "did you mean `rows`?"]);
+    let far = moreau(&["solve", &folder.file("problem.json", &PROBLEM.replace("delassus", "matrix"))]);
+    assert!(far.code == 2 && !far.message.contains("did you mean"), "{}", far.message);
+}

@@ -41,7 +41,8 @@ fn from_hdf5_to_hdf5_the_solution_and_the_guesses_are_kept_bit_for_bit() {
     let to = folder.path("to.h5");
     let run = moreau(&["convert", &file, "--out", &to]);
     assert_eq!((run.code, run.output.as_str(), run.message.as_str()), (0, "", ""));
-    assert_eq!(StoredAnswers::read(Path::new(&to)).expect("well formed"), answers);
+    let kept = StoredAnswers::read(Path::new(&to)).expect("well formed");
+    assert_eq!((kept.solution, kept.guesses, kept.left_out), (answers.solution, answers.guesses, answers.left_out));
     // what is cut off is named, and nothing is written
     let bytes = std::fs::read(&file).expect("written");
     let mut tried = 0;
@@ -147,4 +148,37 @@ fn what_fclib_has_no_place_for_names_the_file_and_the_cure() {
     assert_eq!(moreau(&["convert", &convex, "--law", "coulomb", "--out", &out]).code, 0, "the cure helps");
     let text = moreau(&["convert", &folder.path("shift.json"), "--out", &folder.path("kept.json")]);
     assert_eq!((text.code, text.message.as_str()), (0, ""), "contact-problem/1 has a place for it");
+}
+
+#[test]
+fn what_describes_a_problem_is_kept_in_hdf5_and_told_elsewhere() {
+    let folder = Folder::new("convert-info");
+    let mut answers = StoredAnswers::default();
+    answers.info = vec![("description".into(), "boxes on a table, step 122".into()), ("math_info".into(), "H full rank".into())];
+    let [from, to] = ["from.hdf5", "to.hdf5"].map(|name| folder.path(name));
+    std::fs::write(&from, spatial().to_fclib_with(&answers).expect("well formed")).expect("a writable folder");
+    let run = moreau(&["convert", &from, "--out", &to]);
+    assert_eq!((run.code, run.message.as_str()), (0, ""));
+    let kept = StoredAnswers::read(Path::new(&to)).expect("well formed").info;
+    assert!(answers.info.iter().all(|text| kept.contains(text)), "{kept:?}");
+    let run = moreau(&["convert", &from]);
+    assert!(run.message.contains("`info/description` (“boxes on a table, step 122”), `info/math_info`"), "{}", run.message);
+}
+
+#[test]
+fn a_stored_answer_with_a_number_that_is_none_is_one_error() {
+    let folder = Folder::new("convert-nan");
+    let problem = spatial();
+    for value in [f64::NAN, f64::INFINITY] {
+        let mut answers = StoredAnswers::default();
+        answers.solution = Some(Solution::new("", dvector![1.0, value, 0.0], dvector![0.0, 0.0, 0.0], 0));
+        let file = folder.path("from.hdf5");
+        std::fs::write(&file, problem.to_fclib_with(&answers).expect("well formed")).expect("a writable folder");
+        let words = ["from.hdf5", "`solution/r[1]`", &format!("is {value}"), "use a finite number"];
+        moreau(&["certify", &file]).is_refused(&words);
+        moreau(&["convert", &file, "--out", &folder.path("to.hdf5")]).is_refused(&words);
+        let json = folder.file("problem.json", &problem.to_json());
+        moreau(&["certify", &json, &file]).is_refused(&words);
+        moreau(&["solve", &json, "--start", &file]).is_refused(&words);
+    }
 }

@@ -112,7 +112,13 @@ fn answers_that_are_missing_or_do_not_fit_are_named() {
     folder.file("answers/c.solution.json", r#"{"schema": "solution/1", "impulse": [2, 0]}"#);
     let run = moreau(&["certify", &place, &answers]);
     assert_eq!(run.code, 2, "{}", run.output);
-    assert!(run.message.starts_with("error: 2 of 3 problems"), "{}", run.message);
+    let told = ["error: 1 of 3 problems have no answer", "error: 1 of 3 problems cannot be used"];
+    assert!(
+        run.message.lines().zip(told).all(|(line, told)| line.starts_with(told)) && run.message.lines().count() == 2,
+        "{}",
+        run.message
+    );
+    assert!(run.output.ends_with("0 of 3 solved, 1 without answer, 1 cannot be used\n"), "{}", run.output);
     let missing = line(&run, "a.json");
     assert!(
         missing.contains("there is no") && missing.contains("answers/a.solution.json") && missing.contains("moreau solve"),
@@ -138,7 +144,7 @@ fn a_solution_in_the_hdf5_of_its_problem_is_its_answer() {
     assert!(run.code == 0 && line(&run, "with.hdf5").contains("stored"), "{}{}", run.output, run.message);
     std::fs::write(folder.path("without.hdf5"), problem.to_fclib(None, None).expect("well formed")).expect("a writable folder");
     let run = moreau(&["certify", &place]);
-    assert!(run.code == 2 && line(&run, "without.hdf5").contains("holds no answer"), "{}", run.output);
+    assert!(run.code == 2 && line(&run, "without.hdf5").contains("has no answer"), "{}", run.output);
     assert!(line(&run, "with.hdf5").ends_with("solved"), "{}", run.output);
     // where a folder of answers is named no other answer counts
     std::fs::create_dir_all(folder.path("nothing")).expect("a writable folder");
@@ -173,4 +179,14 @@ fn what_a_folder_cannot_be_asked_is_refused_and_nothing_is_written() {
     std::fs::remove_dir(folder.path("nothing")).expect("it was made");
     assert_eq!(folder.names(), before);
     assert_eq!(std::fs::read_to_string(&file).expect("kept"), "kept");
+}
+
+#[test]
+fn a_problem_without_solution_is_not_told_to_be_solved() {
+    let folder = Folder::new("folder-infeasible");
+    assert_eq!(moreau(&["problems", "export", "rail-deep", &folder.path("problems")]).code, 0);
+    let run = moreau(&["certify", &folder.path("problems")]);
+    let said = line(&run, "rail-deep.json");
+    assert!(run.code == 1 && said.contains("no solution, as is proved") && !said.contains("moreau solve"), "{}", run.output);
+    assert_eq!(moreau(&["certify", &folder.path("problems"), "--format", "json"]).json()["problems"][0]["status"], "infeasible");
 }

@@ -199,3 +199,33 @@ fn the_event_driven_restitution_is_that_of_the_located_impact() {
         assert!((value - 0.5).abs() <= 1e-12, "h = {step} s: {value}");
     }
 }
+
+/// A plate with so many contacts, all of one body: what one of them does moves all others.
+fn plate(contacts: usize) -> String {
+    let list = |count: usize, one: &dyn Fn(usize) -> String| (0..count).map(one).collect::<Vec<_>>().join(",");
+    let rows = list(contacts, &|k| {
+        let [x, y] = [k % 64, k / 64].map(|place| place as f64 / 32.0 - 1.0);
+        format!("0,0,1,{y},{},0,1,0,0,0,-0.1,{},0,1,0,0.1,0,{x}", -x, -y)
+    });
+    let starts = list(3 * contacts + 1, &|row| (6 * row).to_string());
+    let column = list(18 * contacts, &|place| (place % 6).to_string());
+    let friction = list(contacts, &|_| "0.5".into());
+    let free = list(contacts, &|k| format!("-0.1{},0.02,0.01", k % 7));
+    format!(
+        r#"{{"schema":"contact-problem/1","name":"plate","dimension":3,"law":"coulomb","friction":[{friction}],"free_velocity":[{free}],
+            "mass":{{"shape":[6,6],"diagonal_blocks":[[1,0,0,0,0,0, 0,1,0,0,0,0, 0,0,1,0,0,0, 0,0,0,0.3,0,0, 0,0,0,0,0.3,0, 0,0,0,0,0,0.6]]}},
+            "jacobian":{{"shape":[{},6],"sparse_rows":{{"starts":[{starts}],"column":[{column}],"value":[{rows}]}}}}}}"#,
+        3 * contacts
+    )
+}
+
+#[test]
+fn a_sweep_that_takes_longer_than_the_time_limit_is_ended_within() {
+    let folder = Folder::new("limits-time");
+    let (problem, answer) = (folder.file("plate.json", &plate(4096)), folder.path("answer.json"));
+    for solver in ["psor", "sequential-impulses"] {
+        let asked = ["solve", &problem, "--solver", solver, "--iterations", "1", "--time-limit", "0.02", "--max-memory", "20GB"];
+        let run = moreau(&[&asked[..], &["--out", &answer, "--format", "json"]].concat());
+        assert_eq!(run.json()["reproducible"], false, "{solver} ends within its first sweep: {}{}", run.output, run.message);
+    }
+}

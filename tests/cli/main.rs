@@ -10,6 +10,7 @@ mod folders;
 mod gate;
 mod help;
 mod joints;
+mod keys;
 mod limits;
 mod new;
 mod problems;

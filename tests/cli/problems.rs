@@ -74,3 +74,21 @@ fn every_solver_is_measured_and_shown_or_said_to_be_left_out() {
     }
     assert!(measured.contains("not asked: cg, gauss-pgs, sap, sequential-impulses (the engines' own iterations"), "{measured}");
 }
+
+#[test]
+fn what_an_export_does_not_keep_is_told_and_a_file_in_the_place_of_its_folder_is_named() {
+    let folder = Folder::new("problems-kept");
+    let place = folder.path("out");
+    let run = moreau(&["problems", "export", "painleve-leaves", &place, "--to", "fclib"]);
+    assert_eq!(run.code, 0, "{}", run.message);
+    assert!(
+        run.message.contains("painleve-leaves: not kept in FCLIB's local form: ") && run.message.contains("all answers but the first (2)"),
+        "{}",
+        run.message
+    );
+    assert_eq!(moreau(&["problems", "export", "painleve-leaves", &place]).message, "", "contact-problem/1 keeps everything");
+    let convex = moreau(&["problems", "export", "single-associated", &place, "--to", "fclib"]);
+    assert!(convex.code == 2 && !convex.message.contains("--law"), "there is no such option: {}", convex.message);
+    let file = folder.file("there", "kept");
+    moreau(&["problems", "export", "single-slide", &file]).is_refused(&["`FOLDER`", "there, which is a file", "name a folder"]);
+}

@@ -221,6 +221,13 @@ fn an_answer_of_a_time_limit_is_marked() {
     for (option, value) in [("--time-limit", "0"), ("--time-limit", "nan"), ("--tolerance", "-1")] {
         moreau(&["solve", &empty, option, value]).is_refused(&[option]);
     }
+    for long in ["1e300", "inf"] {
+        moreau(&["solve", &empty, "--time-limit", long]).is_refused(&[
+            &format!("`--time-limit`: is {long};"),
+            "up to 1e9 seconds",
+            "leave it out",
+        ]);
+    }
 }
 
 #[test]

@@ -55,6 +55,33 @@ fn lists_and_reports_fit_into_80_100_and_120_columns() {
 }
 
 #[test]
+fn tables_fit_into_a_narrow_terminal_and_are_a_line_per_row_elsewhere() {
+    let folder = super::Folder::new("terminal-tables");
+    let place = folder.path("problems");
+    for name in ["single-slide", "painleve-leaves"] {
+        assert_eq!(moreau(&["problems", "export", name, &place]).code, 0);
+    }
+    let problem = folder.path("problems/single-slide.json");
+    let (answers, answer) = (folder.path("answers"), folder.path("answer.json"));
+    let listings: [&[&str]; 9] = [
+        &["problems", "list", "--to", "2"],
+        &["problems", "show", "single-slide"],
+        &["problems", "measure", &problem],
+        &["bench", &place],
+        &["bench", &problem, "--solver", "auto", "--solver", "lemke"],
+        &["solve", &problem, "--out", &answer],
+        &["certify", &problem, &answer, "--prove"],
+        &["solve", &place, "--out", &answers],
+        &["certify", &place, &answers],
+    ];
+    for columns in [60, 80] {
+        listings.iter().for_each(|arguments| fits(&within(columns, arguments), columns));
+    }
+    let list = moreau(&["problems", "list", "--to", "2"]).output;
+    assert!(list.lines().all(|line| !line.starts_with(' ')), "{list}");
+}
+
+#[test]
 fn every_help_fits_into_80_columns() {
     let commands = moreau(&["--help"]).output;
     let names = commands.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());

@@ -234,7 +234,9 @@ impl Solution {
 
     /// The text of a solution/1.
     fn to_json(&self) -> String {
-        self.solution.to_json(Some(posed::name(&self.posed)), None)
+        let mut solution = (*self.solution).clone();
+        solution.keys = posed::keys(&self.posed);
+        solution.to_json(Some(posed::name(&self.posed)), None)
     }
 
     /// Writes a solution/1, whole or not at all.

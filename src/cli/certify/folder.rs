@@ -5,7 +5,7 @@ use super::super::remarks::remark;
 use super::super::{Answer, posed, progress, several};
 use super::arguments::Arguments;
 use super::reading::read_answer;
-use crate::problem::Posed;
+use crate::problem::{Posed, StoredAnswers};
 use crate::report::answers::{AnswerLine, Answers};
 use crate::{Error, Result};
 use indicatif::ProgressBar;
@@ -53,10 +53,8 @@ fn line(arguments: &Arguments, file: &Path, answers: &Path, bar: &ProgressBar) -
 /// The certificate of the answer in a line, or what is wrong with the answer.
 fn judged(arguments: &Arguments, file: &Path, answer: &Path, problem: &Posed) -> std::result::Result<AnswerLine, String> {
     let own = answer.is_file().then_some(answer);
-    // an answer beside the problem in its own file counts where no folder of answers is named
-    if own.is_none() && (arguments.solution.is_some() || Kind::of(file) != Kind::Hdf5) {
-        let (answer, file) = (answer.display(), file.display());
-        return Err(format!("has no answer: there is no {answer}; `moreau solve {file} --out {answer}` makes it"));
+    if own.is_none() && (arguments.solution.is_some() || !holds_answer(file)) {
+        return Ok(without_answer(file, answer, problem));
     }
     let named = |error: Error| own.map_or(String::new(), |own| format!("{}: ", several::name(own))) + &several::reason(&error);
     let (_, solution) = read_answer(file, own, problem).map_err(named)?;
@@ -64,4 +62,20 @@ fn judged(arguments: &Arguments, file: &Path, answer: &Path, problem: &Posed) ->
     let certificate = posed::doubted(posed::certificate(problem, &solution, residuals, arguments.tolerance), problem, &residuals);
     let line = AnswerLine::answered(several::name(file), posed::constraints(problem), &certificate, residuals.relative());
     Ok(AnswerLine { answer: own.map(several::name), ..line })
+}
+
+/// Whether an answer stands beside the problem in its own file, which counts where no folder of answers is named.
+fn holds_answer(file: &Path) -> bool {
+    // what cannot be read has its own message
+    Kind::of(file) == Kind::Hdf5 && StoredAnswers::read(file).map_or(true, |stored| stored.solution.is_some())
+}
+
+/// The line of a problem whose answer is not there: how to make it, unless it is proved that there is none.
+fn without_answer(file: &Path, answer: &Path, problem: &Posed) -> AnswerLine {
+    let (name, contacts) = (several::name(file), posed::constraints(problem));
+    if let Some(proof) = posed::refuted(problem) {
+        return AnswerLine::infeasible(name, contacts, proof);
+    }
+    let (answer, file) = (answer.display(), file.display());
+    AnswerLine::missing(name, contacts, format!("has no answer: there is no {answer}; `moreau solve {file} --out {answer}` looks for it"))
 }

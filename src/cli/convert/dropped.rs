@@ -2,6 +2,7 @@
 
 use super::super::kind::Kind;
 use super::super::output::print_aside;
+use super::super::posed;
 use crate::problem::{ContactProblem, Posed, StoredAnswers};
 use serde::de::IgnoredAny;
 use std::collections::{BTreeMap, BTreeSet};
@@ -18,8 +19,8 @@ const FIELDS: [(&str, &str); 5] = [
 
 /// What FCLIB's local form does not keep of a file; `replaced` tells whether another solution takes the place of the stored one.
 pub fn by_fclib(file: &Path, problem: &ContactProblem, out: Option<&Path>, stored: &StoredAnswers, replaced: bool) -> Vec<String> {
-    let fields = fields(&text_of(file));
-    let mut dropped: Vec<String> = FIELDS.iter().filter(|(field, _)| fields.contains(*field)).map(|(_, named)| named.to_string()).collect();
+    let text = text_of(file);
+    let (fields, mut dropped) = (fields(&text), fields_without_place(&text));
     let is_named = fields.contains("name") && !problem.name().is_empty();
     if is_named && out.and_then(Path::file_stem).is_some_and(|stem| stem.to_string_lossy() != problem.name()) {
         dropped.push(format!("the name `{}` (that of the file is read)", problem.name()));
@@ -33,6 +34,22 @@ pub fn by_fclib(file: &Path, problem: &ContactProblem, out: Option<&Path>, store
     dropped.extend(stored.left_out.iter().map(|path| format!("`{path}`")));
     dropped
 }
+
+/// The fields of a contact-problem/1 that FCLIB's local form has no place for.
+pub fn fields_without_place(text: &str) -> Vec<String> {
+    let fields = fields(text);
+    FIELDS.iter().filter(|(field, _)| fields.contains(*field)).map(|(_, named)| named.to_string()).collect()
+}
+
+/// The beginning of a text, on one line.
+fn begun(text: &str) -> String {
+    let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let shown: String = line.chars().take(SHOWN).collect();
+    if shown.len() < line.len() { shown + "…" } else { shown }
+}
+
+/// So many letters of a text are shown.
+const SHOWN: usize = 40;
 
 /// What a global problem loses where W alone is written.
 const ROWS: &str = "M and H (W, which follows, is kept)";
@@ -52,6 +69,9 @@ pub fn by_json(file: &Path, posed: &Posed, text: &str) -> Vec<String> {
         Ok(stored) => {
             dropped.extend(stored.solution.as_ref().map(|_| "the stored solution".to_string()));
             dropped.extend((!stored.guesses.is_empty()).then(|| format!("the stored guesses ({})", stored.guesses.len())));
+            let named = posed::name(posed);
+            let said = stored.info.iter().filter(|(name, text)| name != "title" || text != named);
+            dropped.extend(said.map(|(name, text)| format!("`info/{name}` (“{}”)", begun(text))));
             let is_kept = |path: &str| keeps_rows && ["fclib_global/M", "fclib_global/H"].contains(&path);
             dropped.extend(stored.left_out.iter().filter(|path| !is_kept(path)).map(|path| format!("`{path}`")));
         }

@@ -2,6 +2,8 @@
 
 mod dropped;
 
+pub use dropped::fields_without_place;
+
 use super::Answer;
 use super::kind::read_solution;
 use super::limits::MemoryOption;
@@ -9,7 +11,7 @@ use super::output::{keep_files, print, print_aside};
 use super::posed::judge;
 use super::problem_law::LawOption;
 use crate::files::write_atomically;
-use crate::problem::{ContactProblem, Posed, StoredAnswers};
+use crate::problem::{ContactProblem, Law, Posed, StoredAnswers};
 use crate::tolerance::cli::CERTIFY;
 use crate::{Error, Result};
 use std::path::{Path, PathBuf};
@@ -17,8 +19,8 @@ use std::path::{Path, PathBuf};
 /// Write a contact problem in another format.
 ///
 /// Reads contact-problem/1, lcp/1, Siconos's .dat or FCLIB's HDF5. Writes contact-problem/1, or FCLIB's local HDF5 where the name of the
-/// output ends in .hdf5 or .h5. Every number that the format holds is kept to its last bit, from HDF5 to HDF5 the stored solution and the
-/// guesses as well; FCLIB's holds W in place of M and H, and neither bodies nor keys nor a name: the file's name is the problem's. What is
+/// output ends in .hdf5 or .h5. Every number that the format holds is kept to its last bit, from HDF5 to HDF5 the stored solution, the
+/// guesses and the texts that describe the problem as well; FCLIB's holds W in place of M and H, and neither bodies nor keys nor a name: the file's name is the problem's. What is
 /// not kept is named on standard error.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
@@ -57,7 +59,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     }
     let posed = arguments.law.pose(Posed::read(file)?)?;
     if to_fclib {
-        let problem = contacts_of(&posed).map_err(|error| error.in_file(file))?;
+        let problem = contacts_of(&posed).and_then(of_coulomb).map_err(|error| error.in_file(file))?;
         let stored = StoredAnswers::read(file)?;
         let dropped = dropped::by_fclib(file, problem, out, &stored, arguments.solution.is_some());
         let answers = match &arguments.solution {
@@ -97,6 +99,17 @@ fn contacts_of(posed: &Posed) -> Result<&ContactProblem> {
         Posed::Jointed(_) => {
             let problem = "names limits or bilateral constraints, which are not written into HDF5 here";
             Err(Error::invalid("kinds", problem, "end --out in .json; `moreau solve`, `certify` and `bench` read this file as it is"))
+        }
+    }
+}
+
+/// The problem under Coulomb's law, which is FCLIB's.
+fn of_coulomb(problem: &ContactProblem) -> Result<&ContactProblem> {
+    match problem.law() {
+        Law::Coulomb => Ok(problem),
+        law => {
+            let found = format!("is `{}`, and FCLIB has no place for laws other than Coulomb's", law.name());
+            Err(Error::invalid("law", found, "pose it with `--law coulomb`, or end --out in .json"))
         }
     }
 }

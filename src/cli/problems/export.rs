@@ -1,9 +1,12 @@
 //! `moreau problems export`: problems and answers as files.
 
 use super::super::Answer;
+use super::super::convert::fields_without_place;
 use super::super::output::{print, print_aside};
+use super::super::several::make_folder;
 use super::named::named;
 use crate::files::write_together;
+use crate::problem::Solution;
 use crate::problems::{ALL, Stored, solution};
 use crate::report::text::counted;
 use crate::{Error, Result};
@@ -60,9 +63,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         (false, _) => return Err(Error::invalid("FOLDER", "is missing", "give a problem's name and a folder, or --all and a folder")),
     };
     let folder = Path::new(folder);
-    if !folder.is_dir() {
-        std::fs::create_dir_all(folder).map_err(|source| Error::Write { file: folder.into(), source })?;
-    }
+    make_folder("FOLDER", folder)?;
     let (mut files, mut problems) = (Vec::new(), 0);
     for stored in chosen {
         match written(stored, arguments.to, folder) {
@@ -98,7 +99,22 @@ fn written(stored: &Stored, to: To, folder: &Path) -> Result<Vec<(PathBuf, Vec<u
         }
         To::Fclib => {
             let bytes = problem.to_fclib(answers.first(), Some(&DVector::zeros(problem.rows())))?;
+            let dropped = without_place(text, &answers);
+            if !dropped.is_empty() {
+                print_aside(&format!("remark: {}: not kept in FCLIB's local form: {}\n", stored.name, dropped.join(", ")));
+            }
             Ok(vec![(folder.join(format!("{}.hdf5", stored.name)), bytes)])
         }
     }
+}
+
+/// What a file of FCLIB does not keep of a problem and its answers.
+fn without_place(text: &str, answers: &[Solution]) -> Vec<String> {
+    let mut dropped = fields_without_place(text);
+    let further = answers.len().saturating_sub(1);
+    dropped.extend((further > 0).then(|| format!("all answers but the first ({further})")));
+    if answers.first().is_some_and(|answer| answer.beta.is_some() || answer.sigma.is_some()) {
+        dropped.push("β and σ of the answer".into());
+    }
+    dropped
 }

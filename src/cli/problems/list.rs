@@ -1,7 +1,7 @@
 //! `moreau problems list`: a line per problem.
 
 use super::super::near::suggestion;
-use super::super::output::print;
+use super::super::output::{print, table};
 use super::super::{Answer, Format, section};
 use crate::files::write_together;
 use crate::problems::{ALL, Known, Record};
@@ -116,7 +116,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         write_together(&[(file.as_path(), text.as_bytes())])?;
     }
     print(&match arguments.format {
-        Format::Text => list(&lines),
+        Format::Text => table(list(&lines)),
         Format::Json => pretty(&lines)?,
     })?;
     Ok(Answer::Yes)

@@ -1,7 +1,7 @@
 //! `moreau problems measure`: what every solver does with a problem, as the records of the collection say it.
 
 use super::super::limits::CommonOptions;
-use super::super::output::print;
+use super::super::output::{print, table};
 use super::super::progress;
 use super::super::{Answer, Format};
 use crate::Result;
@@ -50,7 +50,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     };
     let measured = progress::shown(&bar, || measure_told(&problem, &given, &own, &asked))?;
     print(&match arguments.common.format {
-        Format::Text => text(&measured) + &left_out(measured.solvers.iter().map(|outcome| outcome.solver.as_str())),
+        Format::Text => table(text(&measured) + &left_out(measured.solvers.iter().map(|outcome| outcome.solver.as_str()))),
         Format::Json => pretty(&measured)?,
     })?;
     Ok((!measured.answers.is_empty()).into())

@@ -1,6 +1,6 @@
 //! `moreau problems show`: one problem with its answers.
 
-use super::super::output::print;
+use super::super::output::{print, table};
 use super::super::{Answer, Format};
 use super::named::named;
 use crate::Result;
@@ -21,7 +21,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     let record = named(&arguments.name)?.record()?;
     print(&match arguments.format {
-        Format::Text => show(&record),
+        Format::Text => table(show(&record)),
         Format::Json => pretty(&record)?,
     })?;
     Ok(Answer::Yes)

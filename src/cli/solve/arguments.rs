@@ -25,8 +25,8 @@ pub struct Arguments {
     /// Most sweeps, steps or pivots of an iterative solver; its own number if absent.
     #[arg(long, value_name = "NUMBER")]
     pub(super) iterations: Option<usize>,
-    /// Start from the impulses of this solution/1, in place of zero; not with solvers that pivot, go through all patterns or begin
-    /// inside the cone.
+    /// Start from the impulses of this solution/1, in place of zero: contact by contact where it and the problem have `keys`, by position
+    /// elsewhere; not with solvers that pivot, go through all patterns or begin inside the cone.
     #[arg(long, value_name = "FILE")]
     pub(super) start: Option<PathBuf>,
     /// Among the impulses that give the velocity of the answer, choose those of least norm ‖r‖ [N·s]: how legs share a load, how hard

@@ -77,7 +77,7 @@ fn line(arguments: &Arguments, solver: &dyn ContactSolver, [file, answer]: [&Pat
         Ok(problem) => {
             bar.suspend(|| remark(file, &problem, arguments.common.format));
             let contacts = posed::constraints(&problem);
-            told(solved(arguments, solver, file, problem), (name, contacts), arguments, answer)
+            told(solved(arguments, solver, file, problem, None), (name, contacts), arguments, answer)
         }
         Err(error) => Ok(AnswerLine::bad_input(name, None, several::reason(&error))),
     };

@@ -3,6 +3,7 @@
 mod arguments;
 mod folder;
 mod one;
+mod start;
 
 pub use arguments::Arguments;
 
@@ -28,7 +29,9 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     keep_input(&arguments.problem, "--out", arguments.out.as_deref())?;
     let problem = arguments.law.pose(read_problem(&arguments.problem, USAGE)?)?;
     remark(&arguments.problem, &problem, arguments.common.format);
-    match progress::shown(&progress::word("solving"), || solved(arguments, &*solver, &arguments.problem, problem))? {
+    let start = arguments.start.as_deref().map(|file| start::read(arguments, &*solver, file, &problem)).transpose()?;
+    let solve = || solved(arguments, &*solver, &arguments.problem, problem, start.as_ref());
+    match progress::shown(&progress::word("solving"), solve)? {
         Outcome::Answer(answered) => written(arguments, &answered),
         Outcome::None { error, proof } => {
             if arguments.common.format == Format::Json {

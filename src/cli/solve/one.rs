@@ -10,6 +10,7 @@ use crate::report::no_answer::NoAnswer;
 use crate::solvers::{ContactSolver, least_norm, watch::watched};
 use crate::tolerance::certificate::CERTIFY;
 use crate::{Error, Result};
+use nalgebra::DVector;
 use std::path::Path;
 
 /// What became of a problem.
@@ -34,24 +35,20 @@ pub struct Answered {
     is_lcp: bool,
 }
 
-/// Solves the problem of a file.
+/// Solves the problem of a file, from these impulses if they are given.
 ///
 /// # Errors
 /// Whatever is wrong with what was asked. An error of the solver is an [`Outcome`].
-pub fn solved(arguments: &Arguments, solver: &dyn ContactSolver, file: &Path, problem: Posed) -> Result<Outcome> {
-    let start = arguments.start.as_deref().map(|file| posed::read_answer(&problem, file).map(|solution| (file, solution))).transpose()?;
-    if start.is_some() && !solver.takes_start() {
-        let problem = format!("does nothing with `{}`, which has a start of its own", solver.name());
-        return Err(Error::invalid("--start", problem, "leave it out, or ask `auto`, which takes one"));
-    }
+pub fn solved(
+    arguments: &Arguments,
+    solver: &dyn ContactSolver,
+    file: &Path,
+    problem: Posed,
+    start: Option<&DVector<f64>>,
+) -> Result<Outcome> {
     posed::require_memory(&problem)?;
-    let warm = start.as_ref().map(|(_, solution)| &solution.impulse);
-    let (answer, seen) = arguments.tolerance.within_time(|interrupt| watched(interrupt, || posed::solve(&problem, solver, warm)));
-    let place = match (&answer, &start) {
-        (Err(Error::Invalid { field, .. }), Some((file, _))) if field.starts_with("warm_start") => file,
-        _ => file,
-    };
-    let solution = match answer.map_err(|error| error.in_file(place)) {
+    let (answer, seen) = arguments.tolerance.within_time(|interrupt| watched(interrupt, || posed::solve(&problem, solver, start)));
+    let solution = match answer.map_err(|error| error.in_file(file)) {
         Ok(solution) => solution,
         Err(error) => {
             // what is refused as it stands has its own message
@@ -59,7 +56,8 @@ pub fn solved(arguments: &Arguments, solver: &dyn ContactSolver, file: &Path, pr
             return Ok(Outcome::None { error, proof });
         }
     };
-    let solution = if arguments.least_norm { smallest(&problem, solution, file)? } else { solution };
+    let mut solution = if arguments.least_norm { smallest(&problem, solution, file)? } else { solution };
+    solution.keys = posed::keys(&problem);
     let residuals = posed::judge(&problem, &solution)?;
     let exhausted = seen.interrupted || solver.iteration_limit().is_some_and(|most| solution.iterations >= most);
     // what ends without a look on the way has its answer looked at

@@ -69,7 +69,8 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error, path: Option<&
     } else if error.classify() == Category::Syntax {
         (format!("not valid JSON: {error}"), cure_of_syntax(word_at(text, error.line(), error.column())))
     } else {
-        (error.to_string(), format!("see the schema {schema}"))
+        let meant = nearest(&error.to_string()).map_or(String::new(), |known| format!("did you mean `{known}`? "));
+        (error.to_string(), format!("{meant}see the schema {schema}"))
     };
     let field = named(&error).or_else(|| last_key(text, error.line(), error.column()));
     match field.filter(|_| !error.to_string().starts_with("trailing characters")) {
@@ -132,6 +133,15 @@ fn named(error: &serde_json::Error) -> Option<String> {
     rest.split('`').next().map(String::from)
 }
 
+/// The known field that an unknown one is a misspelling of, from a message that lists them: few letters differ.
+fn nearest(message: &str) -> Option<&str> {
+    let mut quoted = message.strip_prefix("unknown field ")?.split('`').skip(1).step_by(2);
+    let unknown = quoted.next()?;
+    let most = unknown.chars().count().div_ceil(3);
+    let distances = quoted.map(|known| (strsim::damerau_levenshtein(unknown, known), known));
+    distances.filter(|(distance, _)| *distance <= most).min_by_key(|(distance, _)| *distance).map(|(_, known)| known)
+}
+
 /// The last `"key":` that starts before a line and column (both counted from 1, the column in bytes).
 fn last_key(text: &str, line: usize, column: usize) -> Option<String> {
     let before: usize = text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
@@ -166,6 +176,9 @@ mod tests {
         assert!(message(r#"{"schema":"pair/1","first":[1,"x"],"second":2}"#).contains("`first`"));
         assert!(message("{\"schema\":\"pair/1\",\n\"first\":[1],\n\"second\": 1e999}").contains("`second`"));
         assert!(message(r#"{"schema":"pair/1","first":[1],"secnd":2}"#).contains("field `secnd`: unknown"));
+        assert!(message(r#"{"schema":"pair/1","first":[1],"secnd":2}"#).contains("did you mean `second`? see the schema"));
+        let far = message(r#"{"schema":"pair/1","first":[1],"third":2}"#);
+        assert!(far.contains("unknown") && !far.contains("did you mean"), "{far}");
         assert!(message(r#"{"schema":"pair/1","first":[1]}"#).contains("field `second`: missing"));
         assert!(message(r#"{"schema":"pair/1","first":[1],"second":2,"first":[1]}"#).contains("field `first`: duplicate"));
         let more = message(r#"{"schema":"pair/1","first":[1],"second":2}}"#);

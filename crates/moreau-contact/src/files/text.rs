@@ -2,7 +2,7 @@
 //! limit.
 
 use crate::memory::size;
-use crate::tolerance::limits::FILE_BYTES;
+use crate::tolerance::limits::{FILE_BYTES, FILE_PART};
 use moreau_exact::{Error, Result};
 use std::fs::File;
 use std::io::{Error as IoError, ErrorKind, Read};
@@ -70,9 +70,8 @@ fn read_while(file: &Path, limit: u64, cure: &str, sensible: impl Fn(&[u8]) -> b
 
 /// All bytes of the source, but at most one more than the limit. Reading stops early if the first part is not `sensible`.
 fn read_up_to(source: impl Read, limit: u64, sensible: impl Fn(&[u8]) -> bool) -> std::io::Result<Vec<u8>> {
-    const PART: usize = 1 << 16;
     let mut source = source.take(limit.saturating_add(1));
-    let (mut bytes, mut part) = (Vec::new(), vec![0; PART]);
+    let (mut bytes, mut part) = (Vec::new(), vec![0; FILE_PART]);
     loop {
         let count = match source.read(&mut part) {
             Ok(0) => return Ok(bytes),

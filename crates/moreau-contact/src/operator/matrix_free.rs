@@ -251,8 +251,7 @@ impl MatrixFree {
     pub fn delassus(&self) -> Result<BlockSparse> {
         let (d, contacts) = (self.rows_per_contact(), self.contacts());
         let members = self.members();
-        let most: u128 = members.iter().map(|contacts| (contacts.len() as u128).pow(2)).sum();
-        memory::require("the Delassus blocks of this problem", most.saturating_mul((d * d * 8 + 8) as u128))?;
+        let most = self.require_blocks(&members)?;
         let mut made = BlockSparse::with_capacity(d, contacts, most as usize);
         let (mut column, mut block): (Vec<u32>, _) = (Vec::new(), vec![0.0; d * d]);
         for k in 0..contacts {
@@ -267,6 +266,19 @@ impl MatrixFree {
         }
         made.finish(contacts);
         Ok(made)
+    }
+
+    /// Whether the blocks of W may take the memory that they need.
+    pub(super) fn has_room_for_blocks(&self) -> bool {
+        self.require_blocks(&self.members()).is_ok()
+    }
+
+    /// How many blocks there are at most, of these contacts of every body; refused where they need more memory than is allowed.
+    fn require_blocks(&self, members: &[Vec<u32>]) -> Result<u128> {
+        let d = self.rows_per_contact();
+        let most: u128 = members.iter().map(|contacts| (contacts.len() as u128).pow(2)).sum();
+        memory::require("the Delassus blocks of this problem", most.saturating_mul((d * d * 8 + 8) as u128))?;
+        Ok(most)
     }
 
     /// The contacts of every body, growing.

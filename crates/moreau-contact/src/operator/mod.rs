@@ -118,6 +118,15 @@ impl Operator {
         }
     }
 
+    /// Whether [`Self::blocks`] has them; those of W by bodies are not formed to know it.
+    pub fn has_blocks(&self) -> bool {
+        match self {
+            Operator::Dense(_) => false,
+            Operator::Blocks(_) => true,
+            Operator::Bodies(bodies) => bodies.free.has_room_for_blocks(),
+        }
+    }
+
     /// W by the bodies that contacts touch, if it is given so.
     pub fn matrix_free(&self) -> Option<&MatrixFree> {
         match self {

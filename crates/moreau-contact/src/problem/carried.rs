@@ -31,15 +31,29 @@ pub fn carried(before: &ContactProblem, impulse: &DVector<f64>, after: &ContactP
         let problem = format!("are {} impulses of contacts of {} rows", impulse.len(), before.rows_per_contact());
         return Err(Error::invalid("warm_start", problem, format!("give {rows} for each contact of the earlier problem")));
     }
-    let keys = |problem: &'_ ContactProblem| problem.keys().map(<[_]>::to_vec).ok_or_else(|| missing(problem.name()));
-    let found: HashMap<ContactKey, &[f64]> = keys(before)?.into_iter().zip(impulse.as_slice().chunks_exact(rows)).collect();
-    let mut carried = DVector::zeros(after.rows());
-    for (own, key) in carried.as_mut_slice().chunks_exact_mut(rows).zip(keys(after)?) {
-        if let Some(impulse) = found.get(&key) {
-            own.copy_from_slice(impulse);
+    by_keys(before.keys().ok_or_else(|| missing(before.name()))?, impulse, after).map(|(carried, _)| carried)
+}
+
+/// The impulses of these keys at the contacts that have the same, and zero at the others \[N·s\]; and how many contacts have one.
+///
+/// # Errors
+/// [`Error::Invalid`] if the problem has no keys, or there are not as many impulses as the keys have rows.
+pub(super) fn by_keys(keys: &[ContactKey], impulse: &DVector<f64>, after: &ContactProblem) -> Result<(DVector<f64>, usize)> {
+    let rows = after.rows_per_contact();
+    if impulse.len() != rows * keys.len() {
+        let cure = format!("give size {}, for {} keys with {rows} rows each", rows * keys.len(), keys.len());
+        return Err(Error::invalid("impulse", format!("has size {}", impulse.len()), cure));
+    }
+    let found: HashMap<&ContactKey, &[f64]> = keys.iter().zip(impulse.as_slice().chunks_exact(rows)).collect();
+    let (mut carried, mut matched) = (DVector::zeros(after.rows()), 0);
+    let own = after.keys().ok_or_else(|| missing(after.name()))?;
+    for (part, key) in carried.as_mut_slice().chunks_exact_mut(rows).zip(own) {
+        if let Some(impulse) = found.get(key) {
+            part.copy_from_slice(impulse);
+            matched += 1;
         }
     }
-    Ok(carried)
+    Ok((carried, matched))
 }
 
 fn missing(name: &str) -> Error {

@@ -27,7 +27,7 @@ pub use fclib::StoredAnswers;
 pub(crate) use jointed::ByRows;
 pub use jointed::{ConstraintKind, JointedProblem};
 #[cfg(feature = "files")]
-pub use json::{LcpFile, ProblemFile, SolutionFile};
+pub use json::{LcpFile, ProblemFile, SolutionFile, WarmStart};
 pub use keys::ContactKey;
 pub use law::Law;
 pub use lcp::Lcp;

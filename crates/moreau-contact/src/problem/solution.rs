@@ -1,5 +1,6 @@
 //! A proposed solution of a [`ContactProblem`](super::ContactProblem); it becomes one only by its certificate.
 
+use super::ContactKey;
 use crate::memory::spare::Spare;
 use nalgebra::DVector;
 
@@ -19,10 +20,12 @@ pub struct Solution {
     pub solver: String,
     /// Iterations or pivots used.
     pub iterations: usize,
+    /// Which contact each is, where that is known: solvers leave it out, files carry it, so that a start survives a changed list.
+    pub keys: Option<Vec<ContactKey>>,
 }
 
 impl Solution {
-    /// What a solver proposes: r \[N·s\], u = W r + u_free \[m/s\], and the iterations it took; β and σ are not given.
+    /// What a solver proposes: r \[N·s\], u = W r + u_free \[m/s\], and the iterations it took; β, σ and keys are not given.
     /// ```
     /// use moreau_contact::Solution;
     /// use moreau_contact::nalgebra::dvector;
@@ -32,7 +35,7 @@ impl Solution {
     /// assert!(answer.beta.is_none());
     /// ```
     pub fn new(solver: impl Into<String>, impulse: DVector<f64>, velocity: DVector<f64>, iterations: usize) -> Self {
-        Solution { impulse, velocity, beta: None, sigma: None, solver: solver.into(), iterations }
+        Solution { impulse, velocity, beta: None, sigma: None, solver: solver.into(), iterations, keys: None }
     }
 
     /// Leaves its memory to the answers that follow in this thread, see [`spare`](crate::memory::spare).

@@ -10,7 +10,9 @@
 
 use super::colours::Blocks;
 use super::one_contact::OneContact;
+use super::watch::is_over;
 use crate::memory::spare::spare_entries;
+use crate::tolerance::sweeps::LOOKED;
 use std::ops::Range;
 use std::sync::Barrier;
 
@@ -47,6 +49,10 @@ impl<L: OneContact, const D: usize> Piece<'_, L, D> {
     fn sweep(&mut self, around: &mut impl Surroundings<D>) {
         let mut all = Change::default();
         for (place, (contact, impulse)) in self.contacts.iter_mut().zip(self.impulses.iter_mut()).enumerate() {
+            // of several threads the first one is watched
+            if place % LOOKED == 0 && is_over() {
+                break;
+            }
             let k = self.first + place;
             let new = contact.solve(without(contact.block(), impulse, &around.at(k, impulse)));
             let mut change = [0.0; D];
@@ -202,6 +208,22 @@ mod tests {
         other.colours.collect(2, |show| (0..2).for_each(|colour| blocks.colours[1 - colour].iter().for_each(|block| show(colour, *block))));
         assert!(swept(&problem, &other, 1) != alone);
         assert!(swept(&problem, &other, 3) == swept(&problem, &other, 1));
+    }
+
+    #[test]
+    fn a_sweep_whose_word_to_end_is_given_moves_nothing() {
+        use crate::solvers::watch::{Interrupt, watched};
+        let problem = chain();
+        let (free, interrupt) = (problem.delassus().matrix_free().unwrap(), Interrupt::default());
+        let bodies = Bodies::<3>::with_threads(&problem, free, 1).unwrap();
+        let one = |k: usize| Coulomb::new(&Matrix3::from_iterator(problem.diagonal_block(k).iter().copied()), 0.5).unwrap();
+        let mut contacts: Vec<Coulomb> = (0..problem.contacts()).map(one).collect();
+        let (mut impulses, blocks) = (vec![[0.0; 3]; problem.contacts()], coloured(free));
+        let (mut state, mut changes) = (vec![0.0; Swept::<3>::size(&bodies)], vec![Change::default(); blocks.count()]);
+        interrupt.now();
+        let sweep = Sweep { blocks: &blocks, contacts: &mut contacts, impulses: &mut impulses, changes: &mut changes };
+        let (_, seen) = watched(&interrupt, || bodies.sweep(sweep, &mut state));
+        assert!(seen.interrupted && impulses.as_flattened().iter().all(|r| *r == 0.0));
     }
 
     #[test]

@@ -8,7 +8,7 @@
 //! believed: both are judged by the certificate, the better one is returned, and a polishing that did not help is named
 //! in the answer. Of a W that is asymmetric by a little Clarabel is given (W + Wᵀ)/2; the polishing and the certificate take W itself.
 
-use super::{ContactSolver, ProjectedGaussSeidel};
+use super::{ContactSolver, ProjectedGaussSeidel, watch};
 use crate::certificate::{Residuals, residuals};
 use crate::cones::polyhedral::edge;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
@@ -118,6 +118,7 @@ fn interior_point(problem: &ContactProblem) -> Result<(DVector<f64>, usize)> {
         .map_err(|error| Error::breakdown(NAME, error.to_string()))?;
     let mut solver = DefaultSolver::new(&quadratic, &linear, &constraint, &vec![0.0; n], &cones, settings)
         .map_err(|error| Error::breakdown(NAME, error.to_string()))?;
+    solver.set_termination_callback(|_| watch::is_over());
     solver.solve();
     let solution = &solver.solution;
     let impulse = DVector::from_iterator(n, solution.x.iter().map(|r| r * speed / stiffness));

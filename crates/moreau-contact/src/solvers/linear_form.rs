@@ -163,7 +163,7 @@ impl Form {
             ),
             Form::Edges { .. } => (Some(z.clone()), None),
         };
-        Solution { velocity: problem.velocity(&impulse), impulse, beta, sigma, solver: solver.into(), iterations: steps }
+        Solution { beta, sigma, ..Solution::new(solver, impulse.clone(), problem.velocity(&impulse), steps) }
     }
 
     /// 0 ≤ z′ ⟂ S M S z′ + S q/κ ≥ 0 with κ = max |S q|, of the same supports.

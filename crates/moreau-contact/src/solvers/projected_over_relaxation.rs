@@ -10,8 +10,8 @@
 //! `DIFFERENCE` Project Chrono divides by the mean of the diagonal of A_kk, not by λ_k. The two are the same where A_kk is a multiple of
 //! the identity; where λ_k exceeds twice the mean, as in diag(1, 1/10, 1/10), Chrono's step with its default ω = 1 is beyond 2 and swings.
 
-use super::ContactSolver;
 use super::stopping::Stopping;
+use super::{ContactSolver, watch};
 use crate::certificate::natural_map;
 use crate::cones::second_order;
 use crate::operator::passes;
@@ -74,7 +74,7 @@ impl ContactSolver for ProjectedOverRelaxation {
             if done == self.sweeps || stopping.holds(&impulse, &law_velocity) {
                 break;
             }
-            for (k, &step) in steps.iter().enumerate() {
+            for (k, &step) in steps.iter().enumerate().take_while(|_| !watch::is_over()) {
                 let range = k * rows..(k + 1) * rows;
                 let mut corrected = law_velocity.as_slice()[range.clone()].to_vec();
                 natural_map::correct(problem.law(), problem.friction()[k], &mut corrected);

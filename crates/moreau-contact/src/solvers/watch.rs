@@ -2,7 +2,8 @@
 //!
 //! Iterations measure how good they are by the certificate's own residual; each such number is noted here, in order, whichever solver of a
 //! chain measured it. When the caller interrupts, an iteration ends at its next look and gives the best it has: where that is depends on
-//! the machine, so that such an answer is not reproducible. No clock is read here.
+//! the machine, so that such an answer is not reproducible. Sweeps look at each contact or each block of them, for where many contacts
+//! share a body one sweep takes minutes. No clock is read here.
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -80,8 +81,16 @@ pub(super) fn unnoted<T>(solve: impl FnOnce() -> T) -> T {
     result
 }
 
-/// Whether the iteration that asks should end now.
-pub(super) fn is_over() -> bool {
+/// Whether the iteration that asks should end now. It costs next to nothing, so that a sweep may ask at each contact.
+/// ```
+/// use moreau_contact::solvers::watch::{Interrupt, is_over, watched};
+///
+/// let interrupt = Interrupt::default();
+/// let (found, _) = watched(&interrupt, || (is_over(), interrupt.now(), is_over()));
+/// assert_eq!((found.0, found.2), (false, true));
+/// assert!(!is_over(), "nobody watches");
+/// ```
+pub fn is_over() -> bool {
     WATCH.with_borrow_mut(|watch| {
         watch.as_mut().is_some_and(|watch| {
             let given = watch.interrupt.is_given();
@@ -124,6 +133,24 @@ mod tests {
             note(0.25);
         });
         assert_eq!(seen.history, [0.5, 0.25]);
+    }
+
+    #[test]
+    fn sweeps_and_clarabel_end_at_once_where_the_word_is_given() {
+        use super::super::{ProjectedGaussSeidel, ProjectedOverRelaxation};
+        let solvers: Vec<Box<dyn ContactSolver>> = vec![
+            Box::new(ProjectedGaussSeidel::default()),
+            Box::new(ProjectedOverRelaxation::default()),
+            #[cfg(feature = "clarabel")]
+            Box::new(super::super::ClarabelPolished),
+        ];
+        for solver in solvers {
+            let interrupt = Interrupt::default();
+            interrupt.now();
+            let (answer, seen) = watched(&interrupt, || solver.solve(&block(), None));
+            let iterations = answer.unwrap().iterations;
+            assert!(seen.interrupted && iterations <= 1, "{}: {iterations}", solver.name());
+        }
     }
 
     #[test]

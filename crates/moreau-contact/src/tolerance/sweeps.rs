@@ -32,3 +32,7 @@ pub const THREADED: usize = 32_768;
 /// which are relatively off by as many ε as there are rows in the worst case and by their root in the mean.
 /// Derived.
 pub const DEPENDENT_SQUARE: f64 = 1.0 / 1_099_511_627_776.0;
+
+/// Contacts that are swept between two looks at whether the caller ends the sweeps: some microseconds, and a thousandth of their time.
+/// Set.
+pub const LOOKED: usize = 128;

@@ -18,6 +18,7 @@
 
 use crate::tolerance::solvers::BULLET_RESIDUAL;
 use moreau_contact::problem::{ContactProblem, Law, Solution};
+use moreau_contact::solvers::watch::is_over;
 use moreau_contact::solvers::{ContactSolver, SolverEntry, parts};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -87,7 +88,7 @@ impl ContactSolver for SequentialImpulses {
         let law_velocity = problem.law_velocity(&impulse);
         let mut sweep = Sweep { problem, boxed, impulse, law_velocity };
         let mut iterations = 0;
-        while iterations < self.sweeps {
+        while iterations < self.sweeps && !is_over() {
             iterations += 1;
             let change = sweep.run();
             if change * change <= self.residual {
@@ -127,11 +128,11 @@ impl Sweep<'_> {
     fn run(&mut self) -> f64 {
         let rows = self.problem.rows_per_contact();
         let mut largest = 0.0f64;
-        for row in (0..self.impulse.len()).step_by(rows) {
+        for row in (0..self.impulse.len()).step_by(rows).take_while(|_| !is_over()) {
             let (wanted, diagonal) = self.alone(row, &[1.0]);
             largest = largest.max((self.add(row, wanted.max(-self.impulse[row])) * diagonal).abs());
         }
-        for k in 0..self.problem.contacts() {
+        for k in (0..self.problem.contacts()).take_while(|_| !is_over()) {
             let normal = self.impulse[k * rows];
             let bound = parts::cone_friction(self.problem, k) * normal;
             let change = match rows {

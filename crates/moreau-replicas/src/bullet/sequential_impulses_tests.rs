@@ -191,3 +191,12 @@ fn they_answer_the_square_as_lemke_does_unless_a_contact_keeps_friction_without_
     }
     assert!(same >= 30 && kept >= 1, "{same} agree, {kept} keep friction");
 }
+
+#[test]
+fn sweeps_whose_word_to_end_is_given_move_nothing_and_say_so() {
+    use moreau_contact::solvers::watch::{Interrupt, watched};
+    let interrupt = Interrupt::default();
+    interrupt.now();
+    let (impulse, seen) = watched(&interrupt, || swept(&chain(5), 3));
+    assert!(seen.interrupted && impulse == DVector::zeros(5));
+}

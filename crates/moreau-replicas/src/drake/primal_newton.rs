@@ -14,6 +14,7 @@
 use crate::tolerance::solvers::{LINE_STEPS, NEAR_MINIMUM};
 use moreau_contact::problem::Dynamics;
 use moreau_contact::solvers::LineRoot;
+use moreau_contact::solvers::watch::is_over;
 use moreau_contact::tolerance::solvers::{NEWTON_STEPS, STOP};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -75,7 +76,7 @@ pub fn minimise(
         // near the minimum only rounding keeps a step from reducing the gradient
         let stalled = relative >= before && before <= NEAR_MINIMUM;
         let converged = relative <= STOP || gradient.amax() == 0.0;
-        let direction = if converged || stalled || iterations == NEWTON_STEPS {
+        let direction = if converged || stalled || iterations == NEWTON_STEPS || is_over() {
             None
         } else {
             let factor = step.hessian(&velocity).cholesky();

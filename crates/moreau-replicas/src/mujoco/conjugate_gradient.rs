@@ -10,6 +10,7 @@
 use crate::tolerance::solvers::{CONJUGATE_STALLED, CONJUGATE_STEPS};
 use moreau_contact::problem::{ContactProblem, Law, Solution};
 use moreau_contact::solvers::gauss::{GaussProgram, Minimiser, Progress, exact_step, through_program};
+use moreau_contact::solvers::watch::is_over;
 use moreau_contact::solvers::{ContactSolver, SolverEntry, parts};
 use moreau_contact::tolerance::solvers::STOP;
 use moreau_exact::Result;
@@ -95,7 +96,7 @@ impl GaussConjugateGradient {
         let mut direction = -&slope.preconditioned;
         let mut progress = Progress::new(program, &change, &impulse);
         let mut iterations = 0;
-        while progress.gradient() > self.tolerance && iterations < self.steps && progress.stalled() < CONJUGATE_STALLED {
+        while progress.gradient() > self.tolerance && iterations < self.steps && progress.stalled() < CONJUGATE_STALLED && !is_over() {
             let step = exact_step(program, &change, &direction);
             if step == 0.0 {
                 break;

@@ -11,6 +11,7 @@
 
 use moreau_contact::problem::{ContactProblem, Law, Solution};
 use moreau_contact::solvers::gauss::{GaussProgram, Minimiser, SoftPiece, through_program};
+use moreau_contact::solvers::watch::is_over;
 use moreau_contact::solvers::{ContactSolver, SolverEntry};
 use moreau_contact::tolerance::solvers::{ROOT_STEPS, STOP, SWEEPS};
 use moreau_exact::{Error, Result};
@@ -51,9 +52,9 @@ impl GaussSweeps {
         let operator = operator(program);
         let mut impulse = DVector::zeros(program.rows());
         let mut iterations = 0;
-        while iterations < self.sweeps {
+        while iterations < self.sweeps && !is_over() {
             let before = impulse.clone();
-            for (first, piece) in program.pieces() {
+            for (first, piece) in program.pieces().take_while(|_| !is_over()) {
                 let n = piece.rows();
                 let residual = operator.rows(first, n) * &impulse + program.offset().rows(first, n);
                 let block = operator.view((first, first), (n, n)).into_owned();

@@ -29,7 +29,7 @@ use once::Once;
 pub(crate) use part::island_rows;
 #[cfg(feature = "files")]
 pub(super) use validation::ROWS;
-pub(super) use validation::{finite, not_negative, two_bodies, validate_dynamics};
+pub(super) use validation::{finite, finite_matrix, not_negative, validate_dynamics};
 
 /// In which coordinates a diagonal compliance R acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

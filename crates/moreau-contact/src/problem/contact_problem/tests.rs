@@ -52,7 +52,8 @@ fn no_problem_is_built_that_cannot_be_meant() {
     assert!(ContactProblem::new(DMatrix::identity(3, 3), dvector![-1.0, 2.0, 0.0]).law(Law::Frictionless).build().is_ok());
     refused(point().shift(DVector::zeros(2)).build(), "shift");
     refused(point().delassus(DMatrix::zeros(3, 2)).build(), "delassus");
-    refused(point().delassus(DMatrix::from_element(3, 3, f64::NAN)).build(), "delassus[0]");
+    let one_wrong = DMatrix::from_fn(3, 3, |row, column| if (row, column) == (1, 2) { f64::NAN } else { 1.0 });
+    refused(point().delassus(one_wrong).build(), "delassus[1, 2]");
     refused(point().free_velocity(dvector![0.0, f64::INFINITY, 0.0]).build(), "free_velocity[1]");
     refused(point().friction(vec![-0.5]).build(), "friction[0]");
     refused(point().rows_per_contact(1).friction(vec![0.0, 0.5, 0.0]).build(), "friction");

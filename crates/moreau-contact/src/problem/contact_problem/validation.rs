@@ -3,9 +3,11 @@
 use super::known::Known;
 use super::{ContactProblem, Coordinates, Dynamics, Law};
 use crate::memory;
+use crate::operator::Operator;
+use crate::problem::keys::{self, two_bodies};
 use crate::tolerance::problem::POLYHEDRAL_UNKNOWNS;
 use moreau_exact::{Error, Result};
-use std::collections::HashMap;
+use nalgebra::DMatrix;
 
 /// What to do where a contact has other rows.
 pub(in crate::problem) const ROWS: &str =
@@ -31,11 +33,9 @@ impl ContactProblem {
             let problem = format!("has blocks of {rows} rows");
             return Err(Error::invalid("delassus", problem, format!("use blocks of the contacts, of {} rows", self.rows_per_contact)));
         }
-        let numbers: [(&str, &[f64]); 3] =
-            [("free_velocity", self.free_velocity.as_slice()), ("shift", self.shift.as_slice()), ("delassus", self.delassus.entries())];
-        for (field, values) in numbers {
-            finite(field, values)?;
-        }
+        finite("free_velocity", self.free_velocity.as_slice())?;
+        finite("shift", self.shift.as_slice())?;
+        finite_operator(&self.delassus)?;
         not_negative("friction", &self.friction)?;
         self.validate_law()?;
         self.validate_compliance()?;
@@ -123,13 +123,8 @@ impl ContactProblem {
             let cure = format!("give one for each of the {} contacts", self.contacts());
             return Err(Error::invalid("keys", format!("has size {}", keys.len()), cure));
         }
-        let mut seen = HashMap::with_capacity(keys.len());
+        keys::validate(keys)?;
         for (k, key) in keys.iter().enumerate() {
-            two_bodies("keys", k, key.bodies)?;
-            if let Some(first) = seen.insert(key, k) {
-                let problem = format!("is that of keys[{first}]");
-                return Err(Error::invalid(format!("keys[{k}]"), problem, "give every contact bodies and features of its own"));
-            }
             if self.bodies.as_ref().is_some_and(|bodies| bodies[k] != key.bodies) {
                 return Err(Error::invalid(format!("keys[{k}]"), "names other bodies than `bodies`", "name the same two in both"));
             }
@@ -147,16 +142,8 @@ pub(in crate::problem) fn validate_dynamics(Dynamics { mass, jacobian }: &Dynami
         let cure = format!("use the shape {rows}×{}, which fits the contacts and the mass", mass.nrows());
         return Err(Error::invalid("jacobian", format!("has shape {}×{}", jacobian.nrows(), jacobian.ncols()), cure));
     }
-    finite("mass", mass.as_slice())?;
-    finite("jacobian", jacobian.as_slice())
-}
-
-/// Refuses a contact of a body with itself, and of the ground with the ground.
-pub(in crate::problem) fn two_bodies(field: &str, k: usize, [first, second]: [Option<usize>; 2]) -> Result<()> {
-    if first != second {
-        return Ok(());
-    }
-    Err(Error::invalid(format!("{field}[{k}]"), "names the same body twice", "name two bodies, or one and null for the ground"))
+    finite_matrix("mass", mass)?;
+    finite_matrix("jacobian", jacobian)
 }
 
 pub(in crate::problem) fn finite(field: &str, values: &[f64]) -> Result<()> {
@@ -166,8 +153,39 @@ pub(in crate::problem) fn finite(field: &str, values: &[f64]) -> Result<()> {
     }
     match values.iter().position(|x| !x.is_finite()) {
         None => Ok(()),
-        Some(k) => Err(Error::invalid(format!("{field}[{k}]"), format!("is {}", values[k]), "use a finite number")),
+        Some(k) => finite_at(format!("{field}[{k}]"), values[k]),
     }
+}
+
+/// Refuses a matrix with an entry that is no finite number, and names it by row and column, counted from 0.
+pub(in crate::problem) fn finite_matrix(field: &str, matrix: &DMatrix<f64>) -> Result<()> {
+    match matrix.iter().position(|x| !x.is_finite()) {
+        None => Ok(()),
+        Some(k) => {
+            let place = format!("{field}[{}, {}]", k % matrix.nrows(), k / matrix.nrows());
+            finite_at(place, matrix[k])
+        }
+    }
+}
+
+/// The same of W, however it is stored.
+fn finite_operator(w: &Operator) -> Result<()> {
+    if w.entries().iter().all(|x| x.is_finite()) {
+        return Ok(());
+    }
+    let mut first = None;
+    for column in 0..w.shape()[1] {
+        w.for_each_in_column(column, |row, value| first = first.or((!value.is_finite()).then_some((row, column, value))));
+        if let Some((row, column, value)) = first {
+            return finite_at(format!("delassus[{row}, {column}]"), value);
+        }
+    }
+    // what W is stored as overflows in no column
+    finite("delassus", w.entries())
+}
+
+fn finite_at(place: String, value: f64) -> Result<()> {
+    if value.is_finite() { Ok(()) } else { Err(Error::invalid(place, format!("is {value}"), "use a finite number")) }
 }
 
 pub(in crate::problem) fn not_negative(field: &str, values: &[f64]) -> Result<()> {

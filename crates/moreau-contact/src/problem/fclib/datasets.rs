@@ -1,5 +1,6 @@
 //! The datasets of an HDF5 file, by their paths.
 
+use crate::problem::contact_problem::finite;
 use hdf5_pure::File;
 use moreau_exact::{Error, Result};
 
@@ -7,9 +8,15 @@ fn missing(path: &str, error: impl std::fmt::Display) -> Error {
     Error::invalid(path, format!("cannot be read: {error}"), "give the dataset as FCLIB stores it")
 }
 
-/// A dataset of numbers.
+/// A dataset of numbers, all of them finite.
 pub(super) fn numbers(file: &File, path: &str) -> Result<Vec<f64>> {
-    file.dataset(path).and_then(|data| data.read_f64()).map_err(|error| missing(path, error))
+    let numbers = file.dataset(path).and_then(|data| data.read_f64()).map_err(|error| missing(path, error))?;
+    finite(path, &numbers).map(|()| numbers)
+}
+
+/// A dataset of one text; none where it is not there or is no text.
+pub(super) fn text(file: &File, path: &str) -> Option<String> {
+    file.dataset(path).and_then(|data| data.read_string()).ok()?.into_iter().next()
 }
 
 /// A dataset of whole numbers.

@@ -5,7 +5,7 @@
 //! ```
 //! Global problems and problems with bilateral rows store v and λ besides, for which a local problem of contacts has no place.
 
-use super::datasets::{integers, numbers};
+use super::datasets::{integers, numbers, text};
 use super::{is_hdf5, open};
 use crate::problem::Solution;
 use hdf5_pure::File;
@@ -21,7 +21,11 @@ pub struct StoredAnswers {
     pub solution: Option<Solution>,
     /// r and u of each guess.
     pub guesses: Vec<Solution>,
-    /// The datasets that a local problem of contacts has no place for, by their paths; of the problem itself, those of a global one.
+    /// The texts that describe the problem, each with its name – title, description, math_info –, where they say more than what is written
+    /// without them.
+    pub info: Vec<(String, String)>,
+    /// The datasets that a local problem of contacts has no place for, by their paths; of the problem itself, those of a global one,
+    /// and attributes.
     pub left_out: Vec<String>,
 }
 
@@ -29,6 +33,11 @@ pub struct StoredAnswers {
 const GLOBAL: [&str; 4] = ["M", "H", "vectors/f", "vectors/w"];
 /// What answers have besides r and u.
 const BESIDES: [&str; 2] = ["v", "l"];
+/// The groups of a problem and its answers, whose attributes are not read.
+const GROUPS: [&str; 8] =
+    ["/", "fclib_local", "fclib_local/info", "fclib_local/W", "fclib_global", "fclib_global/info", "solution", "guesses"];
+/// The texts that describe a problem, each with what is written where nothing is known.
+pub(super) const INFO: [(&str, &str); 3] = [("title", "unnamed"), ("description", "written by moreau"), ("math_info", "unknown")];
 
 impl StoredAnswers {
     /// The answers that a file holds; none where it is no HDF5.
@@ -55,7 +64,9 @@ impl StoredAnswers {
 
     fn of(file: &File) -> Result<Self> {
         let has = |group: &str| file.group(group).is_ok();
-        let mut stored = Self::default();
+        let mut stored = Self { info: info(file), ..Self::default() };
+        let has_attributes = |group: &&&str| file.group(group).and_then(|group| group.attrs()).is_ok_and(|found| !found.is_empty());
+        stored.left_out.extend(GROUPS.iter().filter(has_attributes).map(|group| format!("attributes of {group}")));
         if has("fclib_global") {
             stored.left_out.extend(GLOBAL.map(|name| format!("fclib_global/{name}")));
         }
@@ -83,4 +94,13 @@ impl StoredAnswers {
         let [impulse, velocity] = ["r", "u"].map(|name| numbers(file, &format!("{group}/{name}")).map(DVector::from_vec));
         Ok(Solution::new("stored", impulse?, velocity?, 0))
     }
+}
+
+/// The texts of a problem that say something.
+fn info(file: &File) -> Vec<(String, String)> {
+    let of = |group: &str, (name, nothing): (&str, &str)| {
+        let found = text(file, &format!("{group}/info/{name}")).filter(|text| !text.is_empty() && text != nothing);
+        found.map(|text| (name.to_string(), text))
+    };
+    ["fclib_local", "fclib_global"].into_iter().flat_map(|group| INFO.into_iter().filter_map(move |one| of(group, one))).collect()
 }

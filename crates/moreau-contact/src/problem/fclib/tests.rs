@@ -119,6 +119,7 @@ fn answers_of_a_file_are_written_again_bit_for_bit() {
     let answers = StoredAnswers {
         solution: Some(pair([1.0, -0.1], [bits, 7.0])),
         guesses: vec![pair([0.1, 1.0 / 3.0], [0.0, 1e300]), pair([-0.0, 2.0], [3.0, -bits])],
+        info: vec![("title".into(), "two of them".into()), ("math_info".into(), "full rank".into())],
         left_out: Vec::new(),
     };
     let bytes = problem.to_fclib_with(&answers).expect("well formed");

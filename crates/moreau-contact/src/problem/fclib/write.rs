@@ -1,7 +1,7 @@
 //! A problem written as FCLIB's HDF5, with its solution and a guess.
 
 use super::matrix::COLUMNS;
-use super::stored::StoredAnswers;
+use super::stored::{INFO, StoredAnswers};
 use crate::problem::{ContactProblem, Law, Solution};
 use hdf5_pure::{FileBuilder, GroupBuilder};
 use moreau_exact::{Error, Result};
@@ -35,7 +35,8 @@ impl ContactProblem {
         self.to_fclib_with(&StoredAnswers { solution: solution.cloned(), guesses, ..StoredAnswers::default() })
     }
 
-    /// [`Self::to_fclib`] with the answers that another file held: their numbers are kept bit for bit, and what is left out is not written.
+    /// [`Self::to_fclib`] with the answers that another file held: their numbers and its texts are kept bit for bit, and what is left out is
+    /// not written.
     ///
     /// # Errors
     /// Those of [`Self::to_fclib`], and [`Error::Invalid`] for impulses or velocities of another size than the problem's.
@@ -45,8 +46,10 @@ impl ContactProblem {
         let mut problem = file.create_group("fclib_local");
         problem.create_dataset("spacedim").with_i32_data(&[self.rows_per_contact() as i32]);
         let mut info = problem.create_group("info");
-        for (name, text) in [("title", self.name()), ("description", "written by moreau"), ("math_info", "unknown")] {
-            let text = if text.is_empty() { "unnamed" } else { text };
+        for (name, nothing) in INFO {
+            let kept = answers.info.iter().find(|(known, _)| known == name).map(|(_, text)| text.as_str());
+            let own = Some(self.name()).filter(|own| name == "title" && !own.is_empty());
+            let text = kept.or(own).unwrap_or(nothing);
             info.create_dataset(name).with_strings(&[text]).map_err(failed)?.with_shape(&[]);
         }
         problem.add_group(info.finish());
@@ -87,9 +90,8 @@ impl ContactProblem {
     }
 
     fn fits_fclib(&self) -> Result<()> {
-        let other_law = "pose it with Coulomb's law (`--law coulomb`)";
         let lacks = [
-            (self.law() != Law::Coulomb, "laws other than Coulomb's", other_law),
+            (self.law() != Law::Coulomb, "laws other than Coulomb's", "pose it with Coulomb's law"),
             (self.rows_per_contact() == 1, "contacts of one row", "give each contact a tangent"),
             (self.shift().iter().any(|shift| *shift != 0.0), "a shift", "leave `shift` out"),
             (self.compliance().is_some(), "a compliance", "leave `compliance` out"),

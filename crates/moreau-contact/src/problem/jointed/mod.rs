@@ -12,7 +12,8 @@
 
 mod by_rows;
 
-use super::contact_problem::{finite, not_negative, two_bodies, validate_dynamics};
+use super::contact_problem::{finite, finite_matrix, not_negative, validate_dynamics};
+use super::keys::two_bodies;
 use super::{Compliance, ContactKey, ContactProblem, ContactProblemBuilder, Coordinates, Dynamics, Law};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -101,7 +102,7 @@ impl JointedProblem {
         {
             problem.require_rows(field, size)?;
         }
-        finite("delassus", problem.delassus.as_slice())?;
+        finite_matrix("delassus", &problem.delassus)?;
         finite("free_velocity", problem.free_velocity.as_slice())?;
         Ok(problem)
     }

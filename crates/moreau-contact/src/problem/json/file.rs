@@ -6,7 +6,7 @@ use crate::contact::delassus::delassus;
 use crate::memory;
 use crate::operator::{Operator, SparseDynamics};
 use crate::problem::contact_problem::Known;
-use crate::problem::{Compliance, ConstraintKind, Coordinates, Dynamics, Law};
+use crate::problem::{Compliance, ConstraintKind, ContactKey, Coordinates, Dynamics, Law};
 use crate::tolerance::problem::DENSE_ROWS;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -72,7 +72,7 @@ pub struct ProblemFile {
 }
 
 /// Which contact it is.
-#[derive(Serialize, Deserialize, JsonSchema)]
+#[derive(PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "ContactKey")]
 pub(super) struct KeyFile {
@@ -105,6 +105,16 @@ pub(super) enum KindFile {
     Limit,
     /// So many rows that do not move, y = 0: 1 to 6.
     Bilateral(#[schemars(range(min = 1, max = 6))] usize),
+}
+
+/// The keys of a list.
+pub(super) fn read_keys(keys: Vec<KeyFile>) -> Vec<ContactKey> {
+    keys.into_iter().map(|KeyFile { bodies, features }| ContactKey { bodies, features }).collect()
+}
+
+/// The keys as a file has them.
+pub(super) fn write_keys(keys: &[ContactKey]) -> Vec<KeyFile> {
+    keys.iter().map(|&ContactKey { bodies, features }| KeyFile { bodies, features }).collect()
 }
 
 impl From<KindFile> for ConstraintKind {

@@ -5,12 +5,12 @@
 //! ```
 
 use super::file::{
-    ComplianceFile, KeyFile, KindFile, PROBLEM_SCHEMA, ProblemFile, read_compliance, read_law, read_operator, text, written,
+    ComplianceFile, KindFile, PROBLEM_SCHEMA, ProblemFile, read_compliance, read_keys, read_law, read_operator, text, write_keys, written,
 };
 use super::matrix::MatrixFile;
 use crate::problem::contact_problem::Known;
 use crate::problem::jointed::{require_room, starts};
-use crate::problem::{ConstraintKind, ContactKey, Coordinates, Dynamics, JointedProblem};
+use crate::problem::{ConstraintKind, Coordinates, Dynamics, JointedProblem};
 use crate::tolerance::problem::WRITTEN_OUT;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -50,8 +50,7 @@ pub(super) fn read(file: ProblemFile, kinds: Vec<ConstraintKind>) -> Result<Join
         }
         problem = problem.softness(compliance.diagonal)?;
     }
-    let keys = file.keys.map(|keys| keys.into_iter().map(|key| ContactKey { bodies: key.bodies, features: key.features }).collect());
-    problem.between(file.bodies, keys)
+    problem.between(file.bodies, file.keys.map(read_keys))
 }
 
 impl JointedProblem {
@@ -59,7 +58,6 @@ impl JointedProblem {
     pub fn to_json(&self) -> String {
         let list = |vector: &DVector<f64>| vector.as_slice().to_vec();
         let soft = self.softnesses().iter().any(|soft| *soft != 0.0);
-        let keys = |keys: &[ContactKey]| keys.iter().map(|key| KeyFile { bodies: key.bodies, features: key.features }).collect();
         let [mass, jacobian] = written(self.dynamics(), self.delassus());
         text(&ProblemFile {
             schema: PROBLEM_SCHEMA.into(),
@@ -75,7 +73,7 @@ impl JointedProblem {
             jacobian,
             compliance: soft.then(|| ComplianceFile { coordinates: "contact".into(), diagonal: list(self.softnesses()) }),
             bodies: self.bodies().map(<[_]>::to_vec),
-            keys: self.keys().map(keys),
+            keys: self.keys().map(write_keys),
             kinds: Some(self.kinds().iter().map(|kind| json!(KindFile::from(*kind))).collect()),
             provenance: None,
         })

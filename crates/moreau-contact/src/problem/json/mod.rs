@@ -13,15 +13,13 @@
 //! row and bilateral constraints of 1 to 6 rows, in any order), `provenance` (anything).
 
 use super::contact_problem::ROWS;
-use super::{ConstraintKind, ContactKey, ContactProblem, Coordinates, Posed, Solution, siconos};
-use crate::files::{read_json, read_object, read_problem, read_schema, schema_of, write_atomically};
+use super::{ConstraintKind, ContactProblem, Coordinates, Posed, siconos};
+use crate::files::{read_object, read_problem, schema_of, write_atomically};
 use crate::memory;
 use crate::operator::SparseDynamics;
 use crate::tolerance::problem::DENSE_ROWS;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::path::Path;
 
 mod by_bodies;
@@ -29,52 +27,19 @@ mod file;
 mod jointed;
 mod lcp;
 mod matrix;
+mod solution;
 mod sparse_rows;
+mod streamed;
 
 pub use file::ProblemFile;
-use file::{ComplianceFile, KeyFile, PROBLEM_SCHEMA, read_compliance, read_kinds, read_law, read_operator, text, written};
+use file::{ComplianceFile, PROBLEM_SCHEMA, read_compliance, read_keys, read_kinds, read_law, read_operator, text, write_keys, written};
 pub use lcp::LcpFile;
 use matrix::MatrixFile;
+pub use solution::{SolutionFile, WarmStart};
+use streamed::{NUMBER_BYTES, READING, commas};
 
 /// The text of a problem may take this part of the memory: its numbers and matrices take the rest.
 const TEXT_SHARE: u64 = 4;
-/// A number of a text that is read: in its list, which may be twice as long as it is full, and in its matrix \[bytes\].
-const NUMBER_BYTES: u128 = 24;
-/// Schema name of a solution.
-pub const SOLUTION_SCHEMA: &str = "solution/1";
-
-/// A proposed solution of a contact problem.
-#[derive(Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(rename = "Solution")]
-pub struct SolutionFile {
-    /// Always `solution/1`.
-    #[schemars(extend("const" = SOLUTION_SCHEMA))]
-    schema: String,
-    /// The problem's name; an answer that names another problem is refused.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    problem: Option<String>,
-    /// r \[N·s\], ordered (normal, tangent 1, tangent 2) per contact.
-    impulse: Vec<f64>,
-    /// u = W r + u_free \[m/s\], without `shift`; if absent it is computed, and there is nothing to compare.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    velocity: Option<Vec<f64>>,
-    /// β of Stewart–Trinkle, or edge impulses \[N·s\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    beta: Option<Vec<f64>>,
-    /// σ of Stewart–Trinkle \[m/s\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    sigma: Option<Vec<f64>>,
-    /// The solver's name.
-    #[serde(default)]
-    solver: String,
-    /// Iterations or pivots used; absent where there were none, or nobody knows.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    iterations: Option<usize>,
-    /// Residuals, for people; not trusted.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    residuals: Option<serde_json::Value>,
-}
 
 impl Posed {
     /// Reads and validates what [`ContactProblem::read`] reads, and files whose `kinds` name limits and bilateral constraints.
@@ -88,7 +53,11 @@ impl Posed {
         }
         let ends = |end: &str| file.extension().is_some_and(|found| found.eq_ignore_ascii_case(end));
         let is_named_hdf5 = ends("hdf5") || ends("h5");
-        let text = match read_problem(file, memory::limit() / TEXT_SHARE, "or allow more with --max-memory") {
+        let limit = memory::limit() / TEXT_SHARE;
+        if let Some(fields) = streamed::read(file, limit) {
+            return Self::of_fields(fields).map_err(|error| error.in_file(file));
+        }
+        let text = match read_problem(file, limit, "or allow more with --max-memory") {
             Err(Error::Read { .. }) if is_named_hdf5 && file.is_file() => return Err(no_hdf5().in_file(file)),
             read => read?,
         };
@@ -107,11 +76,14 @@ impl Posed {
     /// # Errors
     /// Those of [`ContactProblem::from_json`].
     pub fn from_json(text: &str) -> Result<Self> {
-        memory::require("reading this problem", NUMBER_BYTES * text.bytes().filter(|byte| *byte == b',').count() as u128)?;
+        memory::require(READING, NUMBER_BYTES * commas(text.as_bytes()))?;
         if schema_of(text, &[PROBLEM_SCHEMA, lcp::LCP_SCHEMA])? == lcp::LCP_SCHEMA {
             return lcp::read(text).map(Self::contacts);
         }
-        let mut file: ProblemFile = read_object(text, PROBLEM_SCHEMA)?;
+        Self::of_fields(read_object(text, PROBLEM_SCHEMA)?)
+    }
+
+    fn of_fields(mut file: ProblemFile) -> Result<Self> {
         if !(1..=3).contains(&file.dimension) {
             return Err(Error::invalid("dimension", format!("is {}", file.dimension), ROWS));
         }
@@ -185,7 +157,7 @@ impl ContactProblem {
             .compliance(file.compliance.map(read_compliance).transpose()?)
             .known(dynamics)
             .bodies(file.bodies)
-            .keys(file.keys.map(|keys| keys.into_iter().map(|KeyFile { bodies, features }| ContactKey { bodies, features }).collect()))
+            .keys(file.keys.map(read_keys))
             .build()
     }
 
@@ -213,7 +185,7 @@ impl ContactProblem {
                 diagonal: compliance.diagonal.as_slice().to_vec(),
             }),
             bodies: self.bodies().map(<[_]>::to_vec),
-            keys: self.keys().map(|keys| keys.iter().map(|key| KeyFile { bodies: key.bodies, features: key.features }).collect()),
+            keys: self.keys().map(write_keys),
             kinds: None,
             provenance: None,
         };
@@ -234,98 +206,6 @@ impl ContactProblem {
     /// [`Error::Write`].
     pub fn write(&self, file: &Path) -> Result<()> {
         write_atomically(file, self.to_json().as_bytes())
-    }
-}
-
-impl Solution {
-    /// Reads a file `solution/1`, or the group `solution` of an FCLIB file, that answers this problem; residuals stored in it are not
-    /// trusted and not kept.
-    ///
-    /// # Errors
-    /// [`Error::Read`], or [`Error::InFile`] around what [`Solution::from_json`] says, or around [`Error::Invalid`] where the file names
-    /// another problem.
-    pub fn read(file: &Path, problem: &ContactProblem) -> Result<Self> {
-        Self::read_with(file, problem.name(), |impulse| {
-            problem.require_size("impulse", impulse.len())?;
-            Ok(problem.velocity(impulse))
-        })
-    }
-
-    /// [`Solution::read`] of an answer to a problem with joints or without.
-    ///
-    /// # Errors
-    /// Those of [`Solution::read`].
-    pub fn read_posed(file: &Path, problem: &Posed) -> Result<Self> {
-        match problem {
-            Posed::Contacts(problem) => Self::read(file, problem),
-            Posed::Jointed(problem) => Self::read_with(file, problem.name(), |impulse| {
-                problem.require_rows("impulse", impulse.len())?;
-                Ok(problem.velocity(impulse))
-            }),
-        }
-    }
-
-    /// The answer of a file to the problem of this name, in which impulses have this velocity.
-    fn read_with(file: &Path, problem: &str, velocity: impl FnOnce(&DVector<f64>) -> Result<DVector<f64>>) -> Result<Self> {
-        #[cfg(feature = "fclib")]
-        if super::fclib::is_hdf5(file) {
-            return super::fclib::read_solution(file).map_err(|error| error.in_file(file));
-        }
-        let answer: Result<SolutionFile> = read_schema(&read_json(file)?, SOLUTION_SCHEMA);
-        answer.and_then(|answer| answer.answers(problem).and_then(|()| answer.with_velocity(velocity))).map_err(|error| error.in_file(file))
-    }
-
-    /// Reads the text of a `solution/1` with its velocity; whether it fits a problem is the certificate's question.
-    ///
-    /// # Errors
-    /// [`Error::Json`], or [`Error::Invalid`] naming the field and the cure.
-    pub fn from_json(text: &str) -> Result<Self> {
-        let absent = |_: &DVector<f64>| {
-            Err(Error::invalid("velocity", "is missing", "give u = W r + u_free, or read the answer as a file beside its problem"))
-        };
-        read_schema::<SolutionFile>(text, SOLUTION_SCHEMA)?.with_velocity(absent)
-    }
-
-    /// The solution as text `solution/1`, with the name of its problem and its residuals if given.
-    pub fn to_json(&self, problem: Option<&str>, residuals: Option<serde_json::Value>) -> String {
-        let list = |vector: &DVector<f64>| vector.as_slice().to_vec();
-        text(&SolutionFile {
-            schema: SOLUTION_SCHEMA.into(),
-            problem: problem.map(str::to_string),
-            impulse: list(&self.impulse),
-            velocity: Some(list(&self.velocity)),
-            beta: self.beta.as_ref().map(list),
-            sigma: self.sigma.as_ref().map(list),
-            solver: self.solver.clone(),
-            iterations: Some(self.iterations).filter(|iterations| *iterations > 0),
-            residuals,
-        })
-    }
-}
-
-impl SolutionFile {
-    /// Refuses an answer to a problem of another name; either may be without one.
-    fn answers(&self, problem: &str) -> Result<()> {
-        match self.problem.as_deref() {
-            Some(other) if !other.is_empty() && !problem.is_empty() && other != problem => {
-                let cure = format!("give the solution of the problem “{problem}”, or leave this name out");
-                Err(Error::invalid("problem", format!("is “{other}”"), cure))
-            }
-            _ => Ok(()),
-        }
-    }
-
-    /// The answer with its own velocity, or that of its impulses.
-    fn with_velocity(self, of: impl FnOnce(&DVector<f64>) -> Result<DVector<f64>>) -> Result<Solution> {
-        let impulse = DVector::from_vec(self.impulse);
-        Ok(Solution {
-            velocity: self.velocity.map_or_else(|| of(&impulse), |velocity| Ok(DVector::from_vec(velocity)))?,
-            impulse,
-            beta: self.beta.map(DVector::from_vec),
-            sigma: self.sigma.map(DVector::from_vec),
-            solver: self.solver,
-            iterations: self.iterations.unwrap_or_default(),
-        })
     }
 }
 

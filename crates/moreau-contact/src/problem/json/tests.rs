@@ -4,7 +4,7 @@ use super::*;
 use crate::Law;
 use crate::contact::delassus::delassus;
 use crate::operator::Sparse;
-use crate::problem::Dynamics;
+use crate::problem::{ContactKey, Dynamics, Solution};
 use crate::tolerance::sharpness::roundings;
 use nalgebra::DMatrix;
 
@@ -208,6 +208,7 @@ fn a_solution_comes_back_bit_for_bit() {
         sigma: None,
         solver: "pgs".into(),
         iterations: 7,
+        keys: Some(vec![ContactKey { bodies: [Some(3), None], features: [1, 0] }]),
     };
     let text = solution.to_json(Some("block"), Some(serde_json::json!({"primal": 0})));
     assert_eq!(Solution::from_json(&text).expect("well formed"), solution);
@@ -285,4 +286,43 @@ fn a_file_that_is_named_as_another_format_gets_the_cure_of_that_format() {
 fn files_name_themselves_in_errors() {
     let missing = std::env::temp_dir().join("moreau-no-such-problem.json");
     assert!(ContactProblem::read(&missing).expect_err("refused").to_string().contains("moreau-no-such-problem.json"));
+}
+
+#[test]
+fn a_start_finds_its_contacts_by_keys_and_other_answers_go_by_position() {
+    let folder = std::env::temp_dir().join(format!("moreau-start-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder for temporary files");
+    let key = |body: usize| ContactKey { bodies: [Some(body), None], features: [0, 0] };
+    let balls = |name: &str, bodies: &[usize]| {
+        let n = bodies.len();
+        let problem = ContactProblem::new(DMatrix::identity(n, n), DVector::zeros(n)).name(name).rows_per_contact(1);
+        problem.keys(Some(bodies.iter().copied().map(key).collect())).build().expect("valid")
+    };
+    let before = balls("before", &[5, 7, 8]);
+    let mut answer = Solution::new("by hand", DVector::from_vec(vec![1.0, 2.0, 3.0]), DVector::zeros(3), 0);
+    answer.keys = before.keys().map(<[_]>::to_vec);
+    let file = |name: &str, text: &str| {
+        let file = folder.join(name);
+        std::fs::write(&file, text).expect("a folder for temporary files");
+        file
+    };
+    let keyed = file("keyed.json", &answer.to_json(Some("before"), None));
+    let after = Posed::contacts(balls("after", &[8, 9, 5, 6]));
+    let start = WarmStart::read(&keyed, &after).expect("keys match");
+    assert_eq!((start.impulse.as_slice(), start.matched), (&[3.0, 0.0, 1.0, 0.0][..], Some(2)));
+    // an answer stands in the order of its problem
+    let message = Solution::read(&keyed, &balls("before", &[5, 8, 7])).expect_err("another order").to_string();
+    assert!(message.contains("keys[1]") && message.contains("--start"), "{message}");
+    assert_eq!(Solution::read(&keyed, &before).expect("its own"), answer);
+    let message = WarmStart::read(&file("short.json", &answer.to_json(None, None).replace("1.0,2.0,3.0", "1.0,2.0")), &after);
+    assert!(message.expect_err("too short").to_string().contains("`impulse`: has size 2; give size 3, for 3 keys"));
+    answer.keys = None;
+    let bare = file("bare.json", &answer.to_json(None, None));
+    assert_eq!(WarmStart::read(&bare, &Posed::contacts(before)).expect("by position").matched, None);
+    let message = WarmStart::read(&bare, &after).expect_err("too short").to_string();
+    assert!(message.contains("bare.json") && message.contains("has size 3; give size 4"), "{message}");
+    answer.keys = Some(vec![key(5); 3]);
+    let twice = file("twice.json", &answer.to_json(None, None));
+    assert!(WarmStart::read(&twice, &after).expect_err("one key twice").to_string().contains("keys[1]"));
+    std::fs::remove_dir_all(&folder).expect("it was made");
 }

@@ -94,5 +94,5 @@ pub fn through_program(
     let Minimiser { impulse, iterations, .. } = minimise(&program)?;
     let (impulse, beta) = program::in_contacts(problem, &impulse);
     let velocity = problem.velocity(&impulse);
-    super::finite(Solution { impulse, velocity, beta, sigma: None, solver: name.into(), iterations })
+    super::finite(Solution { beta, ..Solution::new(name, impulse, velocity, iterations) })
 }
