@@ -15,6 +15,8 @@ pub(super) enum Plant {
     Radius,
     /// Rows that depend on others are left out whatever their free velocities are.
     Rank,
+    /// The equations of sliding that are asked for dependence have a wrong sign.
+    Way,
     /// A pair of a polyhedral law is believed without asking the law.
     Law,
     /// δ is that of the given impulses, not of those near them that obey the law.
@@ -25,6 +27,8 @@ pub(super) enum Plant {
     Joined,
     /// Impulses of joints in a witness may move the joints.
     Held,
+    /// Coordinates that are zero at one point of a polyhedron are taken for zero on all of it.
+    Vanishing,
     /// Solutions that share a complementary cone are taken for one velocity.
     Still,
 }
