@@ -46,6 +46,7 @@ pub mod residuals;
 #[cfg(feature = "files")]
 mod residuals_json;
 mod scales;
+pub mod segment;
 pub mod several;
 pub mod spatial;
 mod step;

@@ -29,6 +29,8 @@ pub(super) enum Plant {
     Held,
     /// Coordinates that are zero at one point of a polyhedron are taken for zero on all of it.
     Vanishing,
+    /// Two solutions are taken for the ends of a segment without asking what one does with the other.
+    Alone,
     /// Solutions that share a complementary cone are taken for one velocity.
     Still,
 }
