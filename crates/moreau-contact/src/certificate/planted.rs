@@ -27,6 +27,10 @@ pub(super) enum Plant {
     Joined,
     /// Impulses of joints in a witness may move the joints.
     Held,
+    /// Signs of an LCP's solution that are wrong, or not decided, are taken for right.
+    Decided,
+    /// A condition that holds at one point of a set of cones is taken to hold on all of it, and the other branch is passed over.
+    Pruned,
     /// Coordinates that are zero at one point of a polyhedron are taken for zero on all of it.
     Vanishing,
     /// Two solutions are taken for the ends of a segment without asking what one does with the other.
