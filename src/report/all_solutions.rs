@@ -138,7 +138,7 @@ fn rounded(numbers: &DVector<Rational>) -> Vec<f64> {
     numbers.iter().map(Scalar::to_f64).collect()
 }
 
-fn ends(ends: [Exact; 2]) -> [End; 2] {
+pub(super) fn ends(ends: [Exact; 2]) -> [End; 2] {
     ends.map(|end| End { impulse: rounded(&end.impulse), velocity: rounded(&end.velocity) })
 }
 

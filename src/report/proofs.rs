@@ -1,10 +1,11 @@
 //! What was proved about all solutions of a problem: how many there are, or that there is none.
 
-use super::all_solutions::{All, End, Enumerated, Several, end_lines};
+use super::all_solutions::{All, End, Enumerated, Several, end_lines, ends};
 use crate::Result;
 use crate::certificate::infeasible::{Infeasible, infeasible};
 use crate::certificate::jointed_proof::{infeasible_jointed, uniqueness_jointed};
 use crate::certificate::patterns::{Solutions, solutions};
+use crate::certificate::segment::segment;
 use crate::certificate::spatial::{Velocities, velocities};
 use crate::certificate::uniqueness::{Uniqueness, uniqueness};
 use crate::number::significant;
@@ -67,8 +68,9 @@ impl Proofs {
         let (unique, reason) = known.unique.take().unwrap_or_else(|| told(uniqueness(problem)));
         let infeasible = if exists { None } else { infeasible(problem).map(|found| Refuted::new(found, "")) };
         if unique == "unknown" && known.is_open() && infeasible.is_none() {
-            let met = std::mem::take(&mut known.met);
-            known.several = Several::among(problem, &met.into_iter().chain(answers()).collect::<Vec<_>>())?;
+            let met: Vec<Solution> = std::mem::take(&mut known.met).into_iter().chain(answers()).collect();
+            known.continuum = met.iter().find_map(|answer| segment(problem, answer).ok().flatten()).map(ends);
+            known.several = Several::among(problem, &met)?;
         } else {
             known.undecided.clear();
         }

@@ -11,6 +11,7 @@
 
 use super::dictionary::{Dictionary, First};
 use super::feasibility::nonnegative_solution;
+use super::planted::{Plant, planted};
 use crate::problem::Lcp;
 use crate::tolerance::complementarity::{CONE_SOLUTIONS, CONE_WORK};
 use moreau_exact::scalar::{Rational, ratio};
@@ -273,6 +274,9 @@ impl Search<'_> {
 
     /// Whether a variable is zero on all of a polyhedron.
     fn vanishes(&mut self, at: &Dictionary, variable: usize) -> bool {
+        if planted(Plant::Pruned) {
+            return !at.is_positive(variable);
+        }
         let mut raised = at.clone();
         let vanishes = !raised.raise(variable);
         self.spend(raised.work() - at.work());

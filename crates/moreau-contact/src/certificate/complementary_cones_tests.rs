@@ -1,7 +1,9 @@
 //! The search among complementary cones against looking at every one, and known solution sets.
 
 use super::*;
+use crate::certificate::draw::Draw;
 use crate::certificate::lcp::residuals;
+use crate::certificate::planted::with;
 use moreau_exact::elimination::{principal, solve};
 use proptest::prelude::*;
 
@@ -167,6 +169,25 @@ proptest! {
         }
         prop_assert_eq!(whole.set.families.is_empty(), cover.set.families.is_empty());
     }
+}
+
+/// Solutions of drawn problems that are in none of the cones that are kept.
+fn lost() -> usize {
+    let (mut draw, mut lost) = (Draw(5), 0);
+    for _ in 0..200 {
+        let mut whole = |count: usize| (0..count).map(|_| draw.whole(1)).collect::<Vec<_>>();
+        let problem = lcp(4, &whole(16), &whole(4));
+        let [all, cover] = [Until::End, Until::Cover].map(|until| looked(&problem, until));
+        let ends = all.wide.iter().map(|(_, family)| family.other_end(&problem));
+        lost += all.set.points.iter().cloned().chain(ends).filter(|z| !covers(&problem, &cover, z)).count();
+    }
+    lost
+}
+
+#[test]
+fn a_branch_that_is_cut_off_where_it_holds_a_solution_is_missed() {
+    assert_eq!(with(None, lost), 0);
+    assert!(with(Some(Plant::Pruned), lost) > 20);
 }
 
 #[test]

@@ -10,7 +10,7 @@
 
 use super::forward::{ContactState, Radius};
 use super::interval::Interval;
-use super::rank::{Entry, rank};
+use super::rank::{Entry, Row, rank};
 use crate::problem::{ContactProblem, Solution};
 
 /// Bounds of the dimension.
@@ -106,12 +106,12 @@ fn nullity(problem: &ContactProblem, rows: &[usize]) -> Option<usize> {
         let soft = |other: usize| if other == row { problem.row_compliance(row) } else { 0.0 };
         (0..problem.rows()).map(|other| [problem.entry(other, row), soft(other)]).collect()
     };
-    let columns: Vec<Vec<Entry>> = match problem.dynamics().filter(|dynamics| dynamics.mass == dynamics.mass.transpose()) {
-        Some(dynamics) if problem.compliance().is_none() => {
-            rows.iter().map(|row| dynamics.jacobian.row(*row).iter().map(|entry| [*entry, 0.0]).collect()).collect()
-        }
-        _ => rows.iter().map(|row| column(*row)).collect(),
+    let symmetric = problem.dynamics().filter(|dynamics| dynamics.mass == dynamics.mass.transpose() && problem.compliance().is_none());
+    let row = |row: &usize| match &symmetric {
+        Some(dynamics) => dynamics.jacobian.row(*row).iter().map(|entry| [*entry, 0.0]).collect(),
+        None => column(*row),
     };
+    let columns: Vec<Row> = rows.iter().map(|at| Row::new(&row(at))).collect();
     Some(rows.len() - rank(&columns)?)
 }
 

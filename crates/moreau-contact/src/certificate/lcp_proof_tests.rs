@@ -1,8 +1,10 @@
 //! Proofs against solutions known by construction, enumeration, planted mistakes and problems without a solution.
 
+use super::super::planted::Plant;
 use super::*;
 use crate::certificate::complementary_cones::all_solutions;
 use crate::certificate::lcp::residuals;
+use crate::certificate::planted::with;
 use nalgebra::{DMatrix, dmatrix, dvector};
 use proptest::prelude::*;
 
@@ -98,6 +100,26 @@ fn a_row_that_intervals_leave_open_is_decided_in_fractions_or_named() {
             Answer::NotProved { row, reason } => assert!(size > OPEN_ROWS && row == Some(1) && reason.contains('±'), "{reason}"),
         }
     }
+}
+
+/// How often a solution is said to be near from which the only one, known by construction, is farther away; in fractions and by intervals.
+fn contradicted() -> [usize; 2] {
+    let mut found = [0; 2];
+    for (seed, size) in (0..12).flat_map(|seed| [(seed, 8), (seed, EXACT_ROWS + 8)]) {
+        let (lcp, z) = constructed(size, seed, false);
+        // rows that press are taken for open
+        let answer = DVector::from_fn(size, |i, _| if i % 4 == 0 { z[i] } else { 0.0 });
+        let Answer::Near(near) = prove(&lcp, &answer).expect("finite") else { continue };
+        let apart = (0..size).map(|i| (exact(answer[i]) - exact(z[i])).magnitude()).max().expect("it has rows");
+        found[usize::from(size > EXACT_ROWS)] += usize::from(exact(near.distance) < apart);
+    }
+    found
+}
+
+#[test]
+fn a_wrong_sign_that_is_taken_for_right_is_contradicted_by_the_known_solution() {
+    assert_eq!(with(None, contradicted), [0, 0]);
+    assert!(with(Some(Plant::Decided), contradicted).iter().all(|count| *count > 5));
 }
 
 #[test]

@@ -47,6 +47,7 @@ pub mod residuals;
 #[cfg(feature = "files")]
 mod residuals_json;
 mod scales;
+pub mod segment;
 pub mod several;
 pub mod spatial;
 mod step;

@@ -12,7 +12,7 @@
 
 use super::feasibility::nonnegative_solution;
 use super::moving::moving;
-use super::true_operator::{TrueOperator, UNKNOWN};
+use super::true_operator::operator;
 use crate::problem::{ContactProblem, Law};
 use crate::tolerance::proof::PATTERN_CONTACTS;
 use dashu_ratio::RBig;
@@ -67,7 +67,7 @@ pub fn solutions(problem: &ContactProblem) -> Result<Solutions> {
         let text = format!("all patterns are tried with hard contacts in the plane, {PATTERN_CONTACTS} at most");
         return Err(Error::Unsupported(text));
     }
-    let w = TrueOperator::of(problem).matrix(problem).ok_or_else(|| Error::Unsupported(UNKNOWN.into()))?;
+    let w = operator(problem)?;
     let data = Data::new(problem, w);
     let mut solutions = Solutions { found: Vec::new(), continuum: None, patterns: 0 };
     let kinds: Vec<&[Kind]> = (0..problem.contacts()).map(|k| data.kinds(k)).collect();
@@ -192,19 +192,16 @@ impl Data {
         let right = DVector::from_fn(m, |i, _| &free[row(i).0] * ratio(-row(i).1, 1));
         let Some(vertex) = nonnegative_solution(&system, &right).point() else { return };
         self.add(combined(&vertex.as_slice()[..n], &unknowns), solutions);
-        for (i, sign) in (0..self.free.len()).flat_map(|i| [(i, 1), (i, -1)]) {
-            if let Some(direction) = moving(&system, &vertex, &(0..n).map(|j| &moved[j][i] * ratio(sign, 1)).collect::<Vec<_>>()) {
-                // as far as a non-negative number goes, or one unit
-                let limits = vertex.iter().zip(direction.iter()).filter(|(_, d)| **d < RBig::ZERO).map(|(x, d)| x / -d);
-                let step = limits.min().unwrap_or(RBig::ONE);
-                let end: Vec<Rational> = (0..n).map(|j| &vertex[j] + &direction[j] * &step).collect();
-                let [one, other] = [&vertex.as_slice()[..n], &end].map(|x| self.exact(combined(x, &unknowns)));
-                if solutions.continuum.is_none() {
-                    solutions.continuum = Some([one, other]);
-                }
-                return;
-            }
+        if solutions.continuum.is_some() {
+            return;
         }
+        let gains = (0..self.free.len()).map(|i| (0..n).map(|j| moved[j][i].clone()).collect());
+        let Some(direction) = moving(&system, &vertex, gains) else { return };
+        // as far as a non-negative number goes, or one unit
+        let limits = vertex.iter().zip(direction.iter()).filter(|(_, d)| **d < RBig::ZERO).map(|(x, d)| x / -d);
+        let step = limits.min().unwrap_or(RBig::ONE);
+        let end: Vec<Rational> = (0..n).map(|j| &vertex[j] + &direction[j] * &step).collect();
+        solutions.continuum = Some([&vertex.as_slice()[..n], &end].map(|x| self.exact(combined(x, &unknowns))));
     }
 
     fn exact(&self, impulse: DVector<Rational>) -> Exact {

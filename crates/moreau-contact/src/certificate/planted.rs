@@ -15,6 +15,8 @@ pub(super) enum Plant {
     Radius,
     /// Rows that depend on others are left out whatever their free velocities are.
     Rank,
+    /// The equations of sliding that are asked for dependence have a wrong sign.
+    Way,
     /// A pair of a polyhedral law is believed without asking the law.
     Law,
     /// δ is that of the given impulses, not of those near them that obey the law.
@@ -25,6 +27,14 @@ pub(super) enum Plant {
     Joined,
     /// Impulses of joints in a witness may move the joints.
     Held,
+    /// Signs of an LCP's solution that are wrong, or not decided, are taken for right.
+    Decided,
+    /// A condition that holds at one point of a set of cones is taken to hold on all of it, and the other branch is passed over.
+    Pruned,
+    /// Coordinates that are zero at one point of a polyhedron are taken for zero on all of it.
+    Vanishing,
+    /// Two solutions are taken for the ends of a segment without asking what one does with the other.
+    Alone,
     /// Solutions that share a complementary cone are taken for one velocity.
     Still,
 }

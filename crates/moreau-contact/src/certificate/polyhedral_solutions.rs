@@ -13,12 +13,11 @@ use super::complementary_cones::{Family, LARGEST, Until, complementary_matrix, l
 use super::moving::moving;
 use super::patterns::Exact;
 use super::planted::{Plant, planted};
-use super::true_operator::{TrueOperator, UNKNOWN};
+use super::true_operator::operator;
 use crate::cones::polyhedral::direction;
 use crate::problem::stewart_trinkle::{generators, lcp};
 use crate::problem::{ContactProblem, Law, Lcp};
 use crate::tolerance::complementarity::WIDE_CONES;
-use moreau_exact::elimination::rank;
 use moreau_exact::scalar::{Rational, exact};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -64,8 +63,15 @@ pub fn polyhedral_solutions(problem: &ContactProblem) -> Result<PolyhedralSoluti
         let text = format!("complementary cones of {unknowns} unknowns λ, β, σ; all of them are looked at up to {LARGEST}");
         return Err(Error::Unsupported(text));
     }
-    let w = TrueOperator::of(problem).matrix(problem).ok_or_else(|| Error::Unsupported(UNKNOWN.into()))?;
-    Ok(Data::new(problem, w, directions).all())
+    Ok(Data::new(problem, operator(problem)?, directions).all())
+}
+
+/// The complementarity problem of friction along these directions, in fractions: nothing in it is rounded.
+///
+/// # Errors
+/// [`Error::Unsupported`] where W is not known in fractions.
+pub(crate) fn friction_lcp(problem: &ContactProblem, directions: usize) -> Result<Lcp<Rational>> {
+    Ok(Data::new(problem, operator(problem)?, directions).lcp)
 }
 
 /// The problem in fractions.
@@ -141,14 +147,8 @@ impl Data {
         let w = self.lcp.slack(&family.point);
         let point = DVector::from_fn(size, |j, _| if support[j] { family.point[j].clone() } else { w[j].clone() });
         let gain = |i: usize, j: usize| if j < parts && support[j] { image[(i, j)].clone() } else { Rational::ZERO };
-        let rows = image.nrows();
-        // nothing moves even without regard to signs
-        let both = DMatrix::from_fn(size + rows, size, |i, j| if i < size { cone[(i, j)].clone() } else { gain(i - size, j) });
-        if rank(&both) == rank(&cone) {
-            return None;
-        }
-        let signed = |i: usize, up: bool| (0..size).map(|j| if up { gain(i, j) } else { -gain(i, j) }).collect::<Vec<_>>();
-        let change = (0..rows).flat_map(|i| [signed(i, true), signed(i, false)]).find_map(|gain| moving(&cone, &point, &gain))?;
+        let gains = (0..image.nrows()).map(|i| (0..size).map(|j| gain(i, j)).collect());
+        let change = moving(&cone, &point, gains)?;
         Some(DVector::from_fn(size, |j, _| if support[j] { change[j].clone() } else { Rational::ZERO }))
     }
 }

@@ -12,18 +12,17 @@ use crate::tolerance::proof::RANK_STEPS;
 /// An entry: the sum of two numbers.
 pub(crate) type Entry = [f64; 2];
 
+/// A factor: the product of two numbers.
+pub(crate) type Factor = [f64; 2];
+
 /// The rank of these rows, all equally long; none if deciding it would take too long.
-///
-/// # Panics
-/// If a number is not finite.
-pub(crate) fn rank(rows: &[Vec<Entry>]) -> Option<usize> {
-    let whole: Vec<Row> = rows.iter().map(|row| Row::new(row)).collect();
-    let mut bits: Vec<f64> = whole.iter().map(|row| row.bits).collect();
+pub(crate) fn rank(rows: &[Row]) -> Option<usize> {
+    let mut bits: Vec<f64> = rows.iter().map(|row| row.bits).collect();
     bits.sort_by(|a, b| b.total_cmp(a));
     let (mut found, mut below, mut steps) = (0, 0.0, 0.0);
     for prime in primes() {
         let modulus = Modulus::new(prime);
-        let here = modulus.rank(whole.iter().map(|row| row.modulo(&modulus)).collect());
+        let here = modulus.rank(rows.iter().map(|row| row.modulo(&modulus)).collect());
         if here > found {
             (found, below) = (here, 0.0);
         }
@@ -34,7 +33,7 @@ pub(crate) fn rank(rows: &[Vec<Entry>]) -> Option<usize> {
         if below > bits.iter().take(found + 1).sum::<f64>() {
             return Some(found);
         }
-        steps += (rows.len() * (here + 1) * rows.first().map_or(0, Vec::len)) as f64;
+        steps += (rows.len() * (here + 1) * rows.first().map_or(0, Row::len)) as f64;
         if steps > RANK_STEPS {
             break;
         }
@@ -43,41 +42,93 @@ pub(crate) fn rank(rows: &[Vec<Entry>]) -> Option<usize> {
 }
 
 /// Whether these rows are independent: one prime may tell, and if it does not they are taken for dependent.
-pub(crate) fn surely_independent(rows: &[&Vec<Entry>]) -> bool {
+pub(crate) fn surely_independent(rows: &[&Row]) -> bool {
     let modulus = Modulus::new(primes().next().expect("there is one"));
-    modulus.rank(rows.iter().map(|row| Row::new(row).modulo(&modulus)).collect()) == rows.len()
+    modulus.rank(rows.iter().map(|row| row.modulo(&modulus)).collect()) == rows.len()
 }
 
-/// A row of whole numbers m 2^k: sign, m and k of both parts of an entry.
-struct Row {
-    entries: Vec<[(bool, u64, i32); 2]>,
+/// ± m 2^k: sign, m and k.
+type Binary = (bool, u64, i32);
+
+/// A row Σ c x of rows x of entries, each with a factor c, all of it times one power of two so that its numbers are whole.
+pub(crate) struct Row {
+    parts: Vec<Part>,
     /// The binary logarithm of its length, at least.
     bits: f64,
 }
 
+/// One c x, the exponents of c in those of x.
+struct Part {
+    factor: [Binary; 2],
+    entries: Vec<[Binary; 2]>,
+}
+
 impl Row {
-    fn new(row: &[Entry]) -> Self {
-        let mut entries: Vec<[(bool, u64, i32); 2]> = row.iter().map(|entry| entry.map(parts)).collect();
-        let nonzero = || row.iter().flatten().filter(|x| **x != 0.0);
-        let least = nonzero().map(|x| parts(*x).2).min().unwrap_or(0);
-        entries.iter_mut().flatten().for_each(|(_, m, k)| *k = if *m == 0 { 0 } else { *k - least });
-        let most = entries.iter().flatten().filter(|(_, m, _)| *m != 0).map(|(_, m, k)| f64::from(64 - m.leading_zeros()) + f64::from(*k));
-        // twice the largest number, times the root of their number
-        let bits = most.fold(0.0, f64::max) + 2.0 + 0.5 * (row.len() as f64).log2().max(0.0);
-        Row { entries, bits }
+    /// The row of these entries.
+    ///
+    /// # Panics
+    /// If a number is not finite.
+    pub(crate) fn new(row: &[Entry]) -> Self {
+        Row::sum(&[([1.0, 1.0], row)])
+    }
+
+    /// Σ c x, the x equally long.
+    ///
+    /// # Panics
+    /// If a number is not finite.
+    pub(crate) fn sum(terms: &[(Factor, &[Entry])]) -> Self {
+        let mut parts: Vec<Part> = terms.iter().map(|(factor, row)| Part::new(*factor, row)).collect();
+        let least = parts.iter().flat_map(Part::nonzero).map(|(_, _, k)| *k).min().unwrap_or(0);
+        let all = parts.iter_mut().flat_map(|part| part.entries.iter_mut().flatten());
+        all.for_each(|(_, m, k)| *k = if *m == 0 { 0 } else { *k - least });
+        let length = terms.first().map_or(0, |(_, row)| row.len()) as f64;
+        // in each part twice the largest number, times the root of their number
+        let most = parts.iter().map(Part::bits).fold(0.0, f64::max);
+        let bits = most + 2.0 + 0.5 * length.log2().max(0.0) + (terms.len() as f64).log2().max(0.0);
+        Row { parts, bits }
+    }
+
+    fn len(&self) -> usize {
+        self.parts.first().map_or(0, |part| part.entries.len())
     }
 
     fn modulo(&self, modulus: &Modulus) -> Vec<u64> {
-        let part = |(negative, m, k): &(bool, u64, i32)| {
-            let size = modulus.product(modulus.enter(*m % modulus.prime), modulus.power_of_two(*k as u32));
-            if *negative && size != 0 { modulus.prime - size } else { size }
+        let mut sums = vec![0; self.len()];
+        for Part { factor, entries } in &self.parts {
+            let factor = modulus.product(modulus.binary(&factor[0]), modulus.binary(&factor[1]));
+            for (sum, [one, other]) in sums.iter_mut().zip(entries) {
+                let entry = modulus.sum(modulus.binary(one), modulus.binary(other));
+                *sum = modulus.sum(*sum, modulus.product(factor, entry));
+            }
+        }
+        sums
+    }
+}
+
+impl Part {
+    fn new(factor: Factor, row: &[Entry]) -> Self {
+        let [(one, m, k), (other, n, l)] = factor.map(parts);
+        let shifted = |x: f64| {
+            let (negative, size, exponent) = parts(x);
+            if m == 0 || n == 0 { (false, 0, 0) } else { (negative, size, exponent + k + l) }
         };
-        self.entries.iter().map(|[one, other]| modulus.sum(part(one), part(other))).collect()
+        Part { factor: [(one, m, 0), (other, n, 0)], entries: row.iter().map(|entry| entry.map(shifted)).collect() }
+    }
+
+    fn nonzero(&self) -> impl Iterator<Item = &Binary> {
+        self.entries.iter().flatten().filter(|(_, m, _)| *m != 0)
+    }
+
+    /// The binary logarithm of its largest number, at least.
+    fn bits(&self) -> f64 {
+        let size = |m: u64| f64::from(64 - m.leading_zeros());
+        let [(_, m, _), (_, n, _)] = self.factor;
+        self.nonzero().map(|(_, own, k)| size(*own) + f64::from(*k) + size(m) + size(n)).fold(0.0, f64::max)
     }
 }
 
 /// Sign, odd whole part and exponent: x = ± m 2^k.
-fn parts(x: f64) -> (bool, u64, i32) {
+fn parts(x: f64) -> Binary {
     assert!(x.is_finite(), "only finite numbers are rational");
     if x == 0.0 {
         return (false, 0, 0);
@@ -109,6 +160,13 @@ impl Modulus {
 
     fn enter(&self, number: u64) -> u64 {
         self.product(number, self.square)
+    }
+
+    /// ± m 2^k with k ≥ 0.
+    fn binary(&self, (negative, m, k): &Binary) -> u64 {
+        let size = self.enter(*m % self.prime);
+        let size = if *k == 0 { size } else { self.product(size, self.power_of_two(*k as u32)) };
+        if *negative && size != 0 { self.prime - size } else { size }
     }
 
     fn product(&self, a: u64, b: u64) -> u64 {
@@ -185,8 +243,12 @@ mod tests {
     use moreau_exact::scalar::{Rational, exact};
     use nalgebra::DMatrix;
 
-    fn entries(matrix: &DMatrix<f64>) -> Vec<Vec<Entry>> {
-        matrix.row_iter().map(|row| row.iter().map(|x| [*x, 0.0]).collect()).collect()
+    fn entries(matrix: &DMatrix<f64>) -> Vec<Row> {
+        matrix.row_iter().map(|row| Row::new(&row.iter().map(|x| [*x, 0.0]).collect::<Vec<_>>())).collect()
+    }
+
+    fn rows(all: &[[Entry; 2]]) -> Vec<Row> {
+        all.iter().map(|row| Row::new(row)).collect()
     }
 
     #[test]
@@ -212,9 +274,40 @@ mod tests {
         assert_eq!(rank(&entries(&near(0.6))), Some(elimination::rank(&near(0.6).map(exact))));
         assert_eq!((rank(&entries(&near(2.0 * 0.3))), rank(&entries(&near((2.0_f64 * 0.3).next_up())))), (Some(1), Some(2)));
         // a sum of two numbers that is none
-        let sum = vec![vec![[1.0, 2.0_f64.powi(-60)], [1.0, 0.0]], vec![[1.0, 0.0], [1.0, 0.0]]];
+        let sum = rows(&[[[1.0, 2.0_f64.powi(-60)], [1.0, 0.0]], [[1.0, 0.0], [1.0, 0.0]]]);
         assert_eq!(rank(&sum), Some(2));
-        assert_eq!((rank(&[]), rank(&[vec![[0.0, 0.0]; 3]])), (Some(0), Some(0)));
+        assert_eq!((rank(&[]), rank(&[Row::new(&[[0.0, 0.0]; 3])])), (Some(0), Some(0)));
+    }
+
+    #[test]
+    fn sums_of_rows_with_factors_that_no_number_holds_are_those_of_fractions() {
+        let mut state = 5_u64;
+        let mut draw = |most: u64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) % most
+        };
+        for columns in 1..6 {
+            // of few numbers, so that many sums depend on each other
+            let mut number = || [0.1, -0.3, 0.7, 0.0, 1.0, 3.0][draw(6) as usize];
+            let base: Vec<Vec<Entry>> = (0..3).map(|_| (0..columns).map(|_| [number(), 2.0_f64.powi(-60) * number()]).collect()).collect();
+            let factors: Vec<[Factor; 3]> = (0..5).map(|_| std::array::from_fn(|_| [number(), number()])).collect();
+            let sum = |all: &[Factor; 3]| Row::sum(&std::array::from_fn::<_, 3, _>(|i| (all[i], base[i].as_slice())));
+            let exactly = DMatrix::from_fn(5, columns, |i, j| {
+                let term = |k: usize| {
+                    let [[a, b], [one, other]] = [factors[i][k], base[k][j]];
+                    exact(a) * exact(b) * (exact(one) + exact(other))
+                };
+                (0..3).fold(exact(0.0), |sum: Rational, k| sum + term(k))
+            });
+            assert_eq!(rank(&factors.iter().map(sum).collect::<Vec<_>>()), Some(elimination::rank(&exactly)), "{exactly}");
+        }
+        // 0.1 · 0.1 is no number: the rounded product makes another row
+        let (unit, ten) = ([[1.0, 0.0], [0.0, 0.0]], [[0.1, 0.0], [0.1, 0.0]]);
+        let product = Row::sum(&[([0.1, 0.1], &unit), ([0.1, 0.1], &[[0.0, 0.0], [1.0, 0.0]])]);
+        assert_eq!(rank(&[product, Row::sum(&[([0.1, 1.0], &ten)])]), Some(1));
+        let rounded = Row::sum(&[([0.1, 0.1], &unit), ([0.1 * 0.1, 1.0], &[[0.0, 0.0], [1.0, 0.0]])]);
+        assert_eq!(rank(&[rounded, Row::sum(&[([0.1, 1.0], &ten)])]), Some(2));
+        assert_eq!(rank(&[Row::sum(&[([0.0, 0.1], &ten), ([1.0, 1.0], &ten), ([-1.0, 1.0], &ten)])]), Some(0));
     }
 
     #[test]
@@ -223,7 +316,7 @@ mod tests {
         let prime = primes().next().unwrap();
         assert_eq!(prime, (1 << 61) - 1, "a prime of Mersenne");
         let [high, low] = [(1_u64 << 61) as f64, -1.0];
-        let rows = vec![vec![[high, low], [0.0, 0.0]], vec![[0.0, 0.0], [1.0, 0.0]]];
+        let rows = rows(&[[[high, low], [0.0, 0.0]], [[0.0, 0.0], [1.0, 0.0]]]);
         assert!(!surely_independent(&rows.iter().collect::<Vec<_>>()));
         assert_eq!(rank(&rows), Some(2));
     }

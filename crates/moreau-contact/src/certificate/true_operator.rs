@@ -10,6 +10,7 @@ use super::forward::groups;
 use crate::problem::{ContactProblem, Dynamics};
 use crate::tolerance::proof::{COUPLED_VELOCITIES, MADE_ROWS};
 use moreau_exact::scalar::{Rational, exact};
+use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
 
 /// What is known of W in fractions.
@@ -41,8 +42,16 @@ impl TrueOperator {
     }
 }
 
+/// W in fractions.
+///
+/// # Errors
+/// [`Error::Unsupported`] where making it takes too long.
+pub(crate) fn operator(problem: &ContactProblem) -> Result<DMatrix<Rational>> {
+    TrueOperator::of(problem).matrix(problem).ok_or_else(|| Error::Unsupported(UNKNOWN.into()))
+}
+
 /// Why nothing is counted of a problem whose W is not known in fractions.
-pub(super) const UNKNOWN: &str = "W of mass and Jacobian is made in fractions for small problems only";
+const UNKNOWN: &str = "W of mass and Jacobian is made in fractions for small problems only";
 
 /// Whether the stored W is the one of the problem to the last bit: what is proved of it is proved of the problem.
 pub fn is_stored_exactly(problem: &ContactProblem) -> bool {

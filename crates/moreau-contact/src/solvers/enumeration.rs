@@ -11,13 +11,14 @@ use super::linear_form::Form;
 use crate::certificate::complementary_cones::{infeasible, some_solution};
 use crate::problem::{ContactProblem, Law, Lcp, Solution};
 use crate::tolerance::complementarity::SEARCHED_ROWS;
-use moreau_exact::scalar::{Rational, Scalar, exact};
+use moreau_exact::scalar::{Rational, Scalar};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
 /// The search among complementary cones, for laws that are LCPs of few unknowns, whatever their matrix.
 ///
-/// The numbers of M and q are taken as they are stored. That there is no solution is told by the failure `infeasible`, with its proof.
+/// M and q are those of the problem without any rounding, W being H M̂⁻¹ Hᵀ where mass and Jacobian are known. That there is no solution is
+/// told by the failure `infeasible`, with its proof.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Enumeration;
 
@@ -50,8 +51,7 @@ impl ContactSolver for Enumeration {
         if unknowns > SEARCHED_ROWS {
             return Err(Error::refused(NAME, format!("is for up to {SEARCHED_ROWS} unknowns, this LCP has {unknowns}")));
         }
-        let lcp = form.lcp(problem)?;
-        let whole: Lcp<Rational> = Lcp::new(lcp.matrix.map(exact), lcp.vector.map(exact));
+        let whole = form.exact_lcp(problem)?;
         match some_solution(&whole)? {
             Some(z) => super::finite(form.solution(problem, &z.map(|z| Scalar::to_f64(&z)), NAME, 0)),
             None => Err(Error::infeasible(NAME, reason(&whole))),
@@ -90,6 +90,20 @@ mod tests {
             let Err(Error::Solver { failure, reason, .. }) = Enumeration.solve(&problem(matrix, vector), None) else { panic!("none") };
             assert!(failure == Failure::Infeasible && reason.contains(said), "{reason}");
         }
+    }
+
+    #[test]
+    fn the_problem_is_that_of_mass_and_jacobian_and_not_of_a_rounded_w() {
+        // two feet of a body of 10 kg, one twice as far along: W = h hᵀ/10 is of rank one, which no stored one is
+        let feet = |q: f64| {
+            let made = ContactProblem::from_dynamics(dmatrix![10.0], dmatrix![1.0; -3.0], &dvector![0.0]).rows_per_contact(1);
+            made.law(Law::Frictionless).free_velocity(dvector![-1.0, q]).friction(vec![0.0; 2]).build().unwrap()
+        };
+        // v ≥ 1 and −3 v ≥ −q: there is one for q = 3, and none for anything less
+        let answer = Enumeration.solve(&feet(3.0), None).unwrap();
+        assert!(residuals(&feet(3.0), &answer).unwrap().is_solution(1e-8));
+        let Err(Error::Solver { failure, .. }) = Enumeration.solve(&feet(3.0_f64.next_down()), None) else { panic!("none") };
+        assert_eq!(failure, Failure::Infeasible);
     }
 
     #[test]

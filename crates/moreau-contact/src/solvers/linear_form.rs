@@ -7,10 +7,13 @@
 //!     edges             polyhedral associated      M = Gᵀ(W + R)G + R_edge, columns n + μ Dⱼ; associated in the plane
 //! ```
 
+use crate::certificate::polyhedral_solutions::friction_lcp;
+use crate::certificate::true_operator::operator;
 use crate::cones::polyhedral;
 use crate::memory;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Lcp, Solution};
 use moreau_exact::doubled::residual;
+use moreau_exact::scalar::{Rational, exact};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -96,6 +99,39 @@ impl Form {
             matrix += DMatrix::from_diagonal(diagonal);
         }
         Ok(Lcp::new(matrix, generators.tr_mul(&(problem.free_velocity() + problem.shift()))))
+    }
+
+    /// M and q in fractions, of W as mass and Jacobian make it where they are known: nothing in them is rounded.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] where that W is not known in fractions.
+    pub(super) fn exact_lcp(self, problem: &ContactProblem) -> Result<Lcp<Rational>> {
+        if let Form::StewartTrinkle { directions } = self {
+            return friction_lcp(problem, directions);
+        }
+        let mut w = operator(problem)?;
+        (0..problem.rows()).for_each(|row| w[(row, row)] += exact(problem.row_compliance(row)));
+        let g = self.exact_generators(problem);
+        let transposed = g.transpose();
+        let mut matrix = &transposed * w * &g;
+        if let Some(Compliance { coordinates: Coordinates::Edge, diagonal }) = problem.compliance() {
+            diagonal.iter().enumerate().for_each(|(edge, soft)| matrix[(edge, edge)] += exact(*soft));
+        }
+        Ok(Lcp::new(matrix, transposed * (problem.free_velocity().map(exact) + problem.shift().map(exact))))
+    }
+
+    /// G of normals or edges n + μ Dⱼ in fractions.
+    fn exact_generators(self, problem: &ContactProblem) -> DMatrix<Rational> {
+        let Form::Edges { directions } = self else { return self.generators(problem).map(exact) };
+        let rows = problem.rows_per_contact();
+        DMatrix::from_fn(problem.rows(), problem.contacts() * directions, |i, j| {
+            let mu = exact(problem.friction()[j / directions]);
+            match i % rows {
+                _ if i / rows != j / directions => Rational::ZERO,
+                0 => Rational::ONE,
+                tangent => mu * exact(polyhedral::direction(j % directions, directions)[tangent - 1]),
+            }
+        })
     }
 
     /// S with z = S z′: per contact s = (mean diagonal of W)^(−½) for impulses and 1/s for slip speeds, which makes

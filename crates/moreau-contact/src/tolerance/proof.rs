@@ -123,6 +123,19 @@ pub const PATTERN_CONTACTS: usize = 6;
 /// Set.
 pub const AGAIN: f64 = 1e-9;
 
+/// Most rows of a problem of which a segment of solutions is looked for: its linear programs in fractions take a second or so.
+/// Set.
+pub const SEGMENT_ROWS: usize = 60;
+
+/// How near the tangent of half of a slip's angle is to a small fraction that is tried in its place, and the part of the largest velocity
+/// that is taken for none where a segment is looked for. What is found is checked in fractions.
+/// Set.
+pub const DIRECTION: f64 = 1e-9;
+
+/// Largest denominator of such a fraction.
+/// Set.
+pub const LARGEST_DENOMINATOR: i64 = 64;
+
 /// Most contacts in space all of whose directions of slip are tried: three angles at most.
 /// Set.
 pub const SPATIAL_CONTACTS: usize = 3;

@@ -1,6 +1,7 @@
 //! What a contact does, and the equations of that: value and slopes, written by `pattern` and `polygon`, solved by `krawczyk`.
 
 use crate::certificate::interval::Interval;
+use crate::certificate::rank::Factor;
 
 /// What a contact does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,10 +20,12 @@ pub enum ContactState {
     Joined,
 }
 
-/// What a contact is taken to do, under a polyhedral law with the place of its impulse on the cone.
+/// What a contact is taken to do, in the plane with the way it slides, under a polyhedral law with the place of its impulse on the cone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Case {
     Is(ContactState),
+    /// Sliding in the plane, forth, y_t ≥ 0, or back.
+    Forth(bool),
     /// On edge j of the cone.
     Edge(usize),
     /// Between edges j and j + 1.
@@ -34,8 +37,26 @@ impl Case {
     pub fn state(self) -> ContactState {
         match self {
             Case::Is(state) => state,
-            Case::Edge(_) | Case::Side(_) => ContactState::Sliding,
+            Case::Forth(_) | Case::Edge(_) | Case::Side(_) => ContactState::Sliding,
         }
+    }
+}
+
+/// An equation Σ c y_i = 0 of one contact, linear in the impulses: where it follows from those of others, one impulse may be given in its
+/// place.
+pub(super) struct Linear {
+    /// c and i.
+    pub terms: Vec<(Factor, usize)>,
+    /// Its place among the equations of the contact.
+    pub equation: usize,
+    /// The row of the impulse that is given.
+    pub given: usize,
+}
+
+impl Linear {
+    /// y_i = 0.
+    pub fn row(i: usize) -> Self {
+        Linear { terms: vec![([1.0, 1.0], i)], equation: i, given: i }
     }
 }
 

@@ -31,13 +31,16 @@ pub(super) struct Failed {
     pub contact: usize,
 }
 
-/// The equations of a pattern: rows whose impulses are unknown, in the columns of A; the others of its columns are given.
+/// The equations of a pattern that do not follow from others, and the rows whose impulses are unknown, in the columns of A; the others of its
+/// columns are given.
 pub(super) struct System<'a> {
     pub affine: &'a Affine<'a>,
     pub contacts: &'a [Contact],
     pub cases: &'a [Case],
     /// The unknown rows, which are among the columns of A.
     pub unknown: Vec<usize>,
+    /// The rows of as many equations.
+    pub equations: Vec<usize>,
 }
 
 impl System<'_> {
@@ -49,7 +52,7 @@ impl System<'_> {
     pub fn corrected(&self, mut impulse: Vec<f64>) -> Vec<f64> {
         let mut before = f64::INFINITY;
         for _ in (0..CORRECTIONS).filter(|_| !self.unknown.is_empty()) {
-            let all = self.equations(&impulse, None);
+            let all = self.of_contacts(&impulse, None);
             let (value, jacobian) = (self.value(&all), self.jacobian(&all));
             let Some(step) = jacobian.lu().solve(&value) else { break };
             let size = step.amax();
@@ -74,7 +77,7 @@ impl System<'_> {
             return Ok(Enclosed { middle: impulse, radius, velocity });
         }
         let place = |row: &usize| columns[*row].expect("an unknown is a column");
-        let middle = self.equations(&impulse, None);
+        let middle = self.of_contacts(&impulse, None);
         let jacobian = self.jacobian(&middle);
         let Some(mut inverse) = jacobian.clone().try_inverse() else {
             return Err(Failed { contact: self.unknown.first().map_or(0, |row| row / self.rows()) });
@@ -133,7 +136,7 @@ impl System<'_> {
     }
 
     /// The equations of every contact, at impulses or in a box around them.
-    fn equations(&self, impulse: &[f64], radius: Option<&[f64]>) -> Vec<Equations> {
+    fn of_contacts(&self, impulse: &[f64], radius: Option<&[f64]>) -> Vec<Equations> {
         let y = radius.map_or_else(|| self.affine.at(impulse), |radius| self.velocities(impulse, radius));
         let (r, rows) = (self.impulses(impulse, radius), self.rows());
         let at = |k: usize| self.contacts[k].equations(self.cases[k], &of(&r, k, rows)[..rows], &of(&y, k, rows)[..rows]);
@@ -141,7 +144,7 @@ impl System<'_> {
     }
 
     fn values(&self, all: &[Equations]) -> Vec<Interval> {
-        self.unknown.iter().map(|row| all[row / self.rows()].value[row % self.rows()]).collect()
+        self.equations.iter().map(|row| all[row / self.rows()].value[row % self.rows()]).collect()
     }
 
     fn value(&self, all: &[Equations]) -> DVector<f64> {
@@ -153,7 +156,7 @@ impl System<'_> {
         let (rows, columns) = (self.rows(), places(self.affine, self.affine.matrix.nrows()));
         let place: Vec<usize> = self.unknown.iter().map(|row| columns[*row].expect("an unknown is a column")).collect();
         DMatrix::from_fn(self.unknown.len(), self.unknown.len(), |i, j| {
-            let (row, other) = (self.unknown[i], self.unknown[j]);
+            let (row, other) = (self.equations[i], self.unknown[j]);
             let (k, own, here) = (row / rows, &all[row / rows], row % rows);
             let entry = |c: usize| {
                 let (at, moved) = (k * rows + c, self.affine.matrix[(k * rows + c, place[j])]);
@@ -184,13 +187,13 @@ impl System<'_> {
 
     /// |J(X) − J̃| η and |J̃| η of every equation, at least.
     fn bounds(&self, impulse: &[f64], radius: &[f64], middle: &[Equations]) -> [Vec<f64>; 2] {
-        let (rows, boxed) = (self.rows(), self.equations(impulse, Some(radius)));
+        let (rows, boxed) = (self.rows(), self.of_contacts(impulse, Some(radius)));
         let (moved, unsure) = (self.affine.spread(radius), self.affine.uncertain(radius));
         let pushed = self.pushed(radius, &unsure);
         let mut own = vec![0.0; self.affine.matrix.nrows()];
         self.affine.columns.iter().zip(radius).for_each(|(row, eta)| own[*row] = *eta);
         let mut bounds = [Vec::with_capacity(self.unknown.len()), Vec::with_capacity(self.unknown.len())];
-        for row in &self.unknown {
+        for row in &self.equations {
             let (k, i) = (row / rows, row % rows);
             let (mut spread, mut slope) = (0.0, 0.0);
             for c in 0..rows {

@@ -11,12 +11,14 @@
 //! Where M̂ and H are known, the problem is the one of the exact H M̂⁻¹ Hᵀ, and the proof covers the stored W as well: both are within what
 //! `mechanism` bounds. Rows that depend on each other exactly, decided in fractions from M̂ and H where they are known and from W otherwise
 //! (`dependent`), leave impulses undetermined: those of the dependent rows are taken as the answer gives them, and the solution is one of
-//! many with the same velocities; of M̂ and H the proof is then that of the exact operator alone. Where numbers are nearly but not exactly
-//! dependent, or equations other than y = 0 are dependent, there is no proof, and the contact is named.
+//! many; of M̂ and H the proof is then that of the exact operator alone. Where numbers are nearly but not exactly dependent, or equations
+//! that are not linear in y alone, there is no proof, and the contact is named.
 
 mod affine;
 mod case;
 mod dependent;
+#[cfg(test)]
+mod dependent_tests;
 mod krawczyk;
 mod mechanism;
 mod pattern;
@@ -34,6 +36,7 @@ use crate::tolerance::proof::{PATTERNS, ROWS, enlarged};
 use affine::Affine;
 pub(super) use affine::times;
 use case::Case;
+use dependent::LeftOut;
 pub(super) use dependent::independent_rows;
 use krawczyk::{Enclosed, System};
 pub(super) use mechanism::{groups, uncertainty};
@@ -242,18 +245,15 @@ impl<'a> Proof<'a> {
             Ok(dependent) if dependent.is_empty() => {
                 let what = match cases[contact] {
                     Case::Is(ContactState::Undecided) => "on a border, and coupled to others",
-                    Case::Is(_) => "nearly dependent on others",
-                    Case::Edge(_) | Case::Side(_) => "dependent on others, or nearly",
+                    _ => "nearly dependent on others",
                 };
                 Forward::refused(format!("the equations of {} are {what}", self.name(contact)), contact)
             }
             Ok(dependent) => match self.attempt(cases, impulse, &dependent) {
                 Ended::Proved(radius) => Forward::Proved(radius),
                 Ended::NotEnclosed(contact) => {
-                    let nearly =
-                        if cases[contact] == Case::Is(cases[contact].state()) { "nearly dependent" } else { "dependent, or nearly," };
                     let text = format!(
-                        "{} rows depend exactly on others, and the equations of {} are {nearly} besides",
+                        "{} rows depend exactly on others, and the equations of {} are nearly dependent besides",
                         dependent.len(),
                         self.name(contact)
                     );
@@ -265,7 +265,7 @@ impl<'a> Proof<'a> {
                         "{}, where {} rows depend exactly on others (the first at {})",
                         self.border(k, cases),
                         dependent.len(),
-                        self.name(dependent[0] / rows)
+                        self.name(dependent[0].given / rows)
                     );
                     Forward::refused(text, k)
                 }
@@ -273,11 +273,12 @@ impl<'a> Proof<'a> {
         }
     }
 
-    fn attempt(&self, cases: &[Case], impulse: &[f64], given: &[usize]) -> Ended {
+    fn attempt(&self, cases: &[Case], impulse: &[f64], left_out: &[LeftOut]) -> Ended {
         let columns = pressed_rows(&self.contacts, cases);
         let affine = Affine::new(self.problem, columns.clone(), self.radius.as_ref());
-        let unknown = columns.iter().copied().filter(|row| !given.contains(row)).collect();
-        let system = System { affine: &affine, contacts: &self.contacts, cases, unknown };
+        let unknown = columns.iter().copied().filter(|row| left_out.iter().all(|left| left.given != *row)).collect();
+        let equations = columns.iter().copied().filter(|row| left_out.iter().all(|left| left.equation != *row)).collect();
+        let system = System { affine: &affine, contacts: &self.contacts, cases, unknown, equations };
         let middle = system.corrected(columns.iter().map(|row| impulse[*row]).collect());
         let found = match system.enclosed(middle) {
             Ok(found) => found,
@@ -287,6 +288,8 @@ impl<'a> Proof<'a> {
         let at = |k: usize| self.contacts[k].holds(cases[k], &of(&boxed, k, rows)[..rows], &of(&found.velocity, k, rows)[..rows]);
         let undecided: Vec<usize> = (0..cases.len()).filter(|k| !at(*k) && !planted(Plant::Signs)).collect();
         if undecided.is_empty() {
+            let mut given: Vec<usize> = left_out.iter().map(|left| left.given).collect();
+            given.sort_unstable();
             return Ended::Proved(self.measured(cases, &boxed, &found, given));
         }
         let middle = |all: &[Interval]| all.iter().map(|x| x.middle()).collect();
@@ -294,13 +297,12 @@ impl<'a> Proof<'a> {
     }
 
     /// The distances of the answer from everything in the box.
-    fn measured(&self, cases: &[Case], impulse: &[Interval], found: &Enclosed, given: &[usize]) -> Radius {
+    fn measured(&self, cases: &[Case], impulse: &[Interval], found: &Enclosed, given: Vec<usize>) -> Radius {
         let rows = self.problem.rows_per_contact();
         let contact = |k: usize, row: usize| -> Interval {
             // u = y − shift − R r; y is zero where the pattern says so
             let at = k * rows + row;
-            let zero = row < self.contacts[k].linear_rows(cases[k]);
-            let y = if zero { Interval::ZERO } else { found.velocity[at] };
+            let y = if self.contacts[k].is_zero(cases[k], row) { Interval::ZERO } else { found.velocity[at] };
             y - Interval::point(self.problem.shift()[at]) - Interval::point(self.problem.row_compliance(at)) * impulse[at]
         };
         let size = |differences: Vec<f64>| enlarged(differences.iter().fold(0.0_f64, |sum, d| enlarged(sum.hypot(*d), 1)), 1);
@@ -314,7 +316,7 @@ impl<'a> Proof<'a> {
             velocity: all.clone().map(|k| bound(velocity(k))).collect(),
             impulse: all.clone().map(|k| bound(moved(k))).collect(),
             states: all.map(told).collect(),
-            dependent: given.to_vec(),
+            dependent: given,
             bodies: mechanism::moved(self.problem, impulse, &self.answer.impulse).map(|moved| moved.iter().map(|v| part * v).collect()),
         }
     }

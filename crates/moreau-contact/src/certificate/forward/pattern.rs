@@ -6,6 +6,7 @@
 //!     sticking    y = 0                                                         r_n ≥ 0 ,  ‖r_t‖² ≤ μ² r_n²
 //!     sliding     y_n = 0  (associated: y_n = μ‖y_t‖) ,                         r_n ≥ 0 ,  y_t ≠ 0
 //!                 r_t + μ r_n y_t/‖y_t‖ = 0
+//!                 in the plane forth, r_t = −μ r_n and y_t ≥ 0, or back
 //!     joined      y = 0        (a bilateral row)                                always
 //!     undecided   r_n = max(z_n, 0) ,  r_t = P(z_t) onto the disk of radius μ max(z_n, 0) ,  z = r − ρ y ,   always
 //! ```
@@ -16,9 +17,10 @@
 //! Polyhedral laws in the plane are the round ones; in space their edges and sides are in `polygon`.
 
 use super::affine::Affine;
-use super::case::{Case, ContactState, Equations};
+use super::case::{Case, ContactState, Equations, Linear};
 use super::polygon::Polygon;
 use crate::certificate::interval::Interval;
+use crate::certificate::planted::{Plant, planted};
 use crate::problem::{ContactProblem, Law};
 
 /// One contact with its law.
@@ -72,6 +74,7 @@ impl Contact {
             _ if pressed <= 0.0 || r[0] <= 0.0 && self.polygon.is_none() => ContactState::Open,
             (0.0, _) => ContactState::Pressing,
             (_, Some(polygon)) => return polygon.nearest(bound, [pushed(1), pushed(2)]).unwrap_or(Case::Is(ContactState::Sticking)),
+            _ if self.rows == 2 && pushed(1).abs() > bound && slip > 0.0 => return Case::Forth(pushed(1) < 0.0),
             _ if (1..self.rows).map(pushed).fold(0.0_f64, f64::hypot) > bound && slip > 0.0 => ContactState::Sliding,
             _ => ContactState::Sticking,
         })
@@ -87,14 +90,27 @@ impl Contact {
         }
     }
 
-    /// How many of its first rows are equations y = 0, linear in the impulses.
-    pub fn linear_rows(&self, case: Case) -> usize {
-        match case.state() {
-            ContactState::Sticking => self.rows,
-            ContactState::Pressing | ContactState::Joined => 1,
-            ContactState::Sliding if !self.associated => 1,
-            _ => 0,
+    /// Its equations that are linear in the impulses and say nothing else of them: of sliding in space under the associated law none is.
+    pub fn linear(&self, case: Case) -> Vec<Linear> {
+        match case {
+            Case::Edge(_) | Case::Side(_) => self.polygon.map_or(Vec::new(), |polygon| polygon.linear(case)),
+            Case::Forth(forth) if self.associated => {
+                let mut lift = Linear::row(0);
+                let way = if planted(Plant::Way) { -sign(forth) } else { sign(forth) };
+                lift.terms.push(([self.friction, -way], 1));
+                vec![lift]
+            }
+            Case::Forth(_) => vec![Linear::row(0)],
+            Case::Is(ContactState::Sticking) => (0..self.rows).map(Linear::row).collect(),
+            Case::Is(ContactState::Pressing | ContactState::Joined) => vec![Linear::row(0)],
+            Case::Is(ContactState::Sliding) if !self.associated => vec![Linear::row(0)],
+            Case::Is(_) => Vec::new(),
         }
+    }
+
+    /// Whether y_i = 0 is one of its equations.
+    pub fn is_zero(&self, case: Case, row: usize) -> bool {
+        self.linear(case).iter().any(|linear| linear.terms == [([1.0, 1.0], row)])
     }
 
     /// The equations of this case where the impulse is in r and the velocity in y.
@@ -109,13 +125,25 @@ impl Contact {
                     made.by_velocity[i][i] = Interval::ONE;
                 }
             }
-            ContactState::Sliding => match self.polygon {
-                Some(polygon) => polygon.write(case, r, y, &mut made),
-                None => self.slide(r, y, &mut made),
+            ContactState::Sliding => match (self.polygon, case) {
+                (Some(polygon), _) => polygon.write(case, r, y, &mut made),
+                (None, Case::Forth(forth)) => self.slide_straight(Interval::point(sign(forth)), r, y, &mut made),
+                (None, _) => self.slide(r, y, &mut made),
             },
             ContactState::Undecided => self.natural_map(r, y, &mut made),
         }
         made
+    }
+
+    /// Sliding in the plane, `way` = ± 1: y_n = ± μ y_t or 0, r_t = ∓ μ r_n.
+    fn slide_straight(&self, way: Interval, r: &[Interval], y: &[Interval], made: &mut Equations) {
+        let mu = way * Interval::point(self.friction);
+        (made.value[0], made.by_velocity[0][0]) = (y[0], Interval::ONE);
+        if self.associated {
+            (made.value[0], made.by_velocity[0][1]) = (y[0] - mu * y[1], -mu);
+        }
+        made.value[1] = r[1] + mu * r[0];
+        (made.by_impulse[1][0], made.by_impulse[1][1]) = (mu, Interval::ONE);
     }
 
     fn slide(&self, r: &[Interval], y: &[Interval], made: &mut Equations) {
@@ -130,8 +158,8 @@ impl Contact {
             made.value[i] = r[i] + mu * r[0] * t[i - 1];
             made.by_impulse[i][0] = mu * t[i - 1];
             made.by_impulse[i][i] = Interval::ONE;
-            // the derivative of y_t/‖y_t‖ is (I − t tᵀ)/‖y_t‖; in the plane there is none
-            for j in (1..self.rows).filter(|_| self.rows == 3) {
+            // the derivative of y_t/‖y_t‖ is (I − t tᵀ)/‖y_t‖
+            for j in 1..self.rows {
                 made.by_velocity[i][j] = mu * r[0] * across(&t, i, j) / slip;
             }
         }
@@ -184,8 +212,8 @@ impl Contact {
         match case {
             Case::Is(ContactState::Undecided) => self.decided(r, y),
             Case::Is(state) => state,
-            Case::Edge(_) | Case::Side(_) if squares(&y[1..]).low > 0.0 => ContactState::Sliding,
-            Case::Edge(_) | Case::Side(_) => ContactState::Undecided,
+            _ if squares(&y[1..]).low > 0.0 => ContactState::Sliding,
+            _ => ContactState::Undecided,
         }
     }
 
@@ -210,11 +238,12 @@ impl Contact {
     pub fn holds(&self, case: Case, r: &[Interval], y: &[Interval]) -> bool {
         match (self.polygon, case) {
             (None, Case::Is(state)) => self.holds_round(state, r, y),
+            (None, Case::Forth(forth)) => r[0].low >= 0.0 && (Interval::point(sign(forth)) * y[1]).low >= 0.0,
             (None, _) => false,
             (Some(polygon), Case::Is(ContactState::Open)) => polygon.opens(y),
             (Some(polygon), Case::Is(ContactState::Sticking)) => polygon.holds_inside(r),
             (Some(polygon), Case::Edge(_) | Case::Side(_)) => polygon.holds(case, r, y),
-            (Some(_), Case::Is(state)) => state == ContactState::Joined,
+            (Some(_), _) => case == Case::Is(ContactState::Joined),
         }
     }
 
@@ -230,6 +259,11 @@ impl Contact {
             ContactState::Undecided | ContactState::Joined => true,
         }
     }
+}
+
+/// 1 forth and −1 back.
+fn sign(forth: bool) -> f64 {
+    if forth { 1.0 } else { -1.0 }
 }
 
 /// The rows of one contact in a list over all rows.

@@ -12,8 +12,9 @@
 //! numbers that they are stored as. On a side y_t = −c ν with c ≥ 0, and both its ends dissipate most if ν·(D_j − D_i) ≥ 0 for every i,
 //! which is looked at as well. All equations are linear.
 
-use super::case::{Case, Equations};
+use super::case::{Case, Equations, Linear};
 use crate::certificate::interval::Interval;
+use crate::certificate::planted::{Plant, planted};
 use crate::cones::polyhedral::{direction, neighbours};
 
 /// The friction of a contact in space with three directions or more.
@@ -99,6 +100,22 @@ impl Polygon {
         }
     }
 
+    /// The equations v = 0 and, on a side, e·y_t = 0. Where the latter follows from others the longer component of e keeps its impulse.
+    pub fn linear(&self, case: Case) -> Vec<Linear> {
+        let (Case::Edge(j) | Case::Side(j)) = case else { return Vec::new() };
+        let at = |j: usize| direction(j % self.directions, self.directions);
+        let mut lift = Linear::row(0);
+        if self.associated {
+            (0..2).for_each(|i| lift.terms.push(([self.friction, at(j)[i]], 1 + i)));
+        }
+        let Case::Side(_) = case else { return vec![lift] };
+        let way = if planted(Plant::Way) { 1.0 } else { -1.0 };
+        let along = |i: usize| [([at(j + 1)[i], 1.0], 1 + i), ([way, at(j)[i]], 1 + i)];
+        let size = |i: usize| (at(j + 1)[i] - at(j)[i]).abs();
+        let given = if size(0) >= size(1) { 1 } else { 2 };
+        vec![lift, Linear { terms: [along(0), along(1)].concat(), equation: 1, given }]
+    }
+
     /// Whether no velocity in y of an open contact closes it or moves it along an edge that gives way.
     pub fn opens(&self, y: &[Interval]) -> bool {
         let leaves = |j: usize| y[0] + Interval::point(self.friction) * dot(self.direction(j), [y[1], y[2]]);
@@ -131,7 +148,7 @@ impl Polygon {
                 let is_side = all.filter(other).all(|i| dot(outward, self.between(i, j)).high <= 0.0);
                 pushes && is_side && ends[0].low >= 0.0 && ends[1].high <= 0.0 && dot(outward, tangential).high <= 0.0
             }
-            Case::Is(_) => false,
+            Case::Is(_) | Case::Forth(_) => false,
         }
     }
 }

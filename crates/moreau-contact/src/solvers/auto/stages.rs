@@ -2,6 +2,7 @@
 
 #[cfg(feature = "clarabel")]
 use super::super::ClarabelPolished;
+use super::super::enumeration::LARGEST;
 use super::super::watch;
 use super::super::{
     AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, ConvexSubproblems, Enumeration, GaussNewton, InteriorPoint,
@@ -103,9 +104,11 @@ fn is_swept_alone(problem: &ContactProblem) -> bool {
     (0..problem.contacts()).all(|k| problem.entry(normal(k), normal(k)) + compliance(problem, normal(k)) > 0.0)
 }
 
-/// Whether it is a linear complementarity problem as it stands, with few enough unknowns for all of its complementary cones.
+/// Whether it is a linear complementarity problem with few enough unknowns for all of its complementary cones: as it stands, or with λ, β
+/// and σ of friction that may jam.
 fn is_enumerated(problem: &ContactProblem) -> bool {
-    problem.rows_per_contact() == 1 && Enumeration::fits(problem)
+    let few = || !is_convex(problem) && unknowns(problem, problem.law().directions().unwrap_or(2)) <= LARGEST;
+    Enumeration::fits(problem) && (problem.rows_per_contact() == 1 || few())
 }
 
 /// Laws of a convex program, the interior point's.

@@ -157,3 +157,29 @@ fn what_the_normal_rows_alone_have_is_had_with_tangential_rows_that_nothing_rubs
         }
     }
 }
+
+/// Contacts under friction along four directions, by W, u_free and μ.
+fn squares(w: &[f64], free: &[f64], mu: f64) -> ContactProblem {
+    let made = ContactProblem::new(DMatrix::from_row_slice(free.len(), free.len(), w), DVector::from_row_slice(free));
+    made.law(Law::PolyhedralCoulomb { directions: 4 }).friction(vec![mu; free.len() / 3]).build().expect("valid")
+}
+
+#[test]
+fn where_polyhedral_friction_jams_every_cone_is_looked_at_before_it_is_given_up() {
+    // W is semidefinite and some impulse is feasible, yet none of ten patterns – open, sticking, four edges, four sides – holds
+    let none = squares(&[2.5, 2.75, 4.0, 2.75, 4.25, 3.0, 4.0, 3.0, 8.0], &[-2.0, 1.0, -0.5], 2.0);
+    let Err(Error::Solver { failure, reason, .. }) = Auto.solve(&none, None) else { panic!("there is none") };
+    assert!(failure == Failure::Infeasible && reason.contains("no complementary cone"), "{reason}");
+    // three solutions, which pivots and sweeps miss
+    let rows = [
+        [0.25, -0.25, 0.25, 2.0, 1.5, 0.5],
+        [-0.25, -0.25, -1.5, -0.25, -1.25, 2.0],
+        [0.25, -1.5, 0.75, -0.75, 1.5, 1.25],
+        [2.0, -0.25, -0.75, 1.25, 0.25, -0.5],
+        [1.5, -1.25, 1.5, 0.25, 2.0, 0.0],
+        [0.5, 2.0, 1.25, -0.5, 0.0, 0.5],
+    ];
+    let hard = squares(&rows.concat(), &[-1.25, -0.25, -1.25, -0.5, -2.0, -0.5], 0.5);
+    let answer = Auto.solve(&hard, None).expect("it has some");
+    assert!(residuals(&hard, &answer).expect("sizes fit").is_solution(ENOUGH), "{}", answer.solver);
+}
