@@ -36,11 +36,10 @@ use file::{ComplianceFile, PROBLEM_SCHEMA, read_compliance, read_keys, read_kind
 pub use lcp::LcpFile;
 use matrix::MatrixFile;
 pub use solution::{SolutionFile, WarmStart};
+use streamed::{NUMBER_BYTES, READING, commas};
 
 /// The text of a problem may take this part of the memory: its numbers and matrices take the rest.
 const TEXT_SHARE: u64 = 4;
-/// A number of a text that is read: in its list, which may be twice as long as it is full, and in its matrix \[bytes\].
-const NUMBER_BYTES: u128 = 24;
 
 impl Posed {
     /// Reads and validates what [`ContactProblem::read`] reads, and files whose `kinds` name limits and bilateral constraints.
@@ -77,7 +76,7 @@ impl Posed {
     /// # Errors
     /// Those of [`ContactProblem::from_json`].
     pub fn from_json(text: &str) -> Result<Self> {
-        memory::require("reading this problem", NUMBER_BYTES * text.bytes().filter(|byte| *byte == b',').count() as u128)?;
+        memory::require(READING, NUMBER_BYTES * commas(text.as_bytes()))?;
         if schema_of(text, &[PROBLEM_SCHEMA, lcp::LCP_SCHEMA])? == lcp::LCP_SCHEMA {
             return lcp::read(text).map(Self::contacts);
         }

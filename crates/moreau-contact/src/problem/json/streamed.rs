@@ -2,13 +2,22 @@
 //!
 //! Only what is right is read so. Whatever is wrong, and every other kind of file, is read as a text, which messages quote.
 
-use super::NUMBER_BYTES;
 use super::file::{PROBLEM_SCHEMA, ProblemFile};
 use crate::memory;
 use crate::tolerance::limits::{FILE_PART, STREAMED_BYTES};
 use std::fs::File;
 use std::io::{BufReader, Read};
 use std::path::Path;
+
+/// A number of a text that is read: in its list, which may be twice as long as it is full, and in its matrix \[bytes\].
+pub(super) const NUMBER_BYTES: u128 = 24;
+/// What the memory is for.
+pub(super) const READING: &str = "reading this problem";
+
+/// How many numbers a text has, but for the last of each list.
+pub(super) fn commas(text: &[u8]) -> u128 {
+    text.iter().filter(|byte| **byte == b',').count() as u128
+}
 
 /// The fields of a plain file of more than [`STREAMED_BYTES`]; nothing where it is smaller, larger than `limit`, or anything is wrong.
 pub(super) fn read(file: &Path, limit: u64) -> Option<ProblemFile> {
@@ -36,8 +45,8 @@ struct Counted<R> {
 impl<R: Read> Read for Counted<R> {
     fn read(&mut self, part: &mut [u8]) -> std::io::Result<usize> {
         let count = self.text.read(part)?;
-        self.commas += part[..count].iter().filter(|byte| **byte == b',').count() as u128;
-        memory::require("reading this problem", NUMBER_BYTES * self.commas).map_err(std::io::Error::other)?;
+        self.commas += commas(&part[..count]);
+        memory::require(READING, NUMBER_BYTES * self.commas).map_err(std::io::Error::other)?;
         Ok(count)
     }
 }
