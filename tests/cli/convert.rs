@@ -41,7 +41,8 @@ fn from_hdf5_to_hdf5_the_solution_and_the_guesses_are_kept_bit_for_bit() {
     let to = folder.path("to.h5");
     let run = moreau(&["convert", &file, "--out", &to]);
     assert_eq!((run.code, run.output.as_str(), run.message.as_str()), (0, "", ""));
-    assert_eq!(StoredAnswers::read(Path::new(&to)).expect("well formed"), answers);
+    let kept = StoredAnswers::read(Path::new(&to)).expect("well formed");
+    assert_eq!((kept.solution, kept.guesses, kept.left_out), (answers.solution, answers.guesses, answers.left_out));
     // what is cut off is named, and nothing is written
     let bytes = std::fs::read(&file).expect("written");
     let mut tried = 0;
