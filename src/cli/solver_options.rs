@@ -17,8 +17,8 @@ pub struct ToleranceOption {
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: Option<f64>,
     /// End a solve after this time with the best answer so far, which the next run need not find again: it is marked as not reproducible.
-    /// Iterations look between their steps, sweeps between their contacts, eliminations between their fronts, pivoting methods between their
-    /// pivots; Clarabel looks between its iterations, whose factorisations it ends no sooner.
+    /// Iterations look between their steps, sweeps between their contacts, eliminations between their fronts, pivoting methods between
+    /// their pivots; Clarabel looks between its iterations, whose factorisations it ends no sooner.
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
     time_limit: Option<f64>,
 }

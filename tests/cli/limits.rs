@@ -213,7 +213,8 @@ fn plate(contacts: usize) -> String {
     let free = list(contacts, &|k| format!("-0.1{},0.02,0.01", k % 7));
     format!(
         r#"{{"schema":"contact-problem/1","name":"plate","dimension":3,"law":"coulomb","friction":[{friction}],"free_velocity":[{free}],
-            "mass":{{"shape":[6,6],"diagonal_blocks":[[1,0,0,0,0,0, 0,1,0,0,0,0, 0,0,1,0,0,0, 0,0,0,0.3,0,0, 0,0,0,0,0.3,0, 0,0,0,0,0,0.6]]}},
+            "mass":{{"shape":[6,6],"diagonal_blocks":[
+              [1,0,0,0,0,0, 0,1,0,0,0,0, 0,0,1,0,0,0, 0,0,0,0.3,0,0, 0,0,0,0,0.3,0, 0,0,0,0,0,0.6]]}},
             "jacobian":{{"shape":[{},6],"sparse_rows":{{"starts":[{starts}],"column":[{column}],"value":[{rows}]}}}}}}"#,
         3 * contacts
     )

@@ -56,4 +56,5 @@ out; so may `problem` and `solver`. Every field: docs/formats.md, `moreau schema
 
 Exit code 0: a solution, or one is proved to exist; 1: not a solution, or none is proved to exist;
 2: the files cannot be read or do not fit each other.
-Of a folder the worst of these; a problem without an answer counts as 2, and the others are judged all the same.";
+Of a folder the worst of these, and all are judged; a problem without an answer counts as 2, as 1 where it is proved
+to have no solution.";

@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 ///
 /// contact-problem/1 comes with one solution/1 per answer, NAME.solution.json, NAME.solution-2.json and so on. A file of FCLIB holds the
 /// problem, the first answer as its solution, and no impulses as its guess; it has no place for other laws than Coulomb's, for a shift and
-/// for a compliance. What cannot be written is named on standard error.
+/// for a compliance. What cannot be written, and what is not kept – mass and Jacobian, keys, further answers –, is named on standard error.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES, override_usage = USAGE)]
 pub struct Arguments {

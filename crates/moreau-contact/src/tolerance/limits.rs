@@ -6,8 +6,8 @@
 /// Set.
 pub const FILE_BYTES: u64 = 256_000_000;
 
-/// Smallest contact problem that is parsed while it is read, in place of a text that stands in the memory whole \[bytes\]: that takes a fifth
-/// to a third longer, which small ones need not.
+/// Smallest contact problem that is parsed while it is read, in place of a text that stands in the memory whole \[bytes\]: that takes a
+/// fifth to a third longer, which small ones need not.
 /// Set.
 pub const STREAMED_BYTES: u64 = 8_000_000;
 

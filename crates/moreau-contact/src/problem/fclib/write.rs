@@ -35,8 +35,8 @@ impl ContactProblem {
         self.to_fclib_with(&StoredAnswers { solution: solution.cloned(), guesses, ..StoredAnswers::default() })
     }
 
-    /// [`Self::to_fclib`] with the answers that another file held: their numbers and its texts are kept bit for bit, and what is left out is
-    /// not written.
+    /// [`Self::to_fclib`] with the answers that another file held: their numbers and its texts are kept bit for bit, and what is left out
+    /// is not written.
     ///
     /// # Errors
     /// Those of [`Self::to_fclib`], and [`Error::Invalid`] for impulses or velocities of another size than the problem's.

@@ -37,7 +37,8 @@ fn no_problem_is_made_that_cannot_be_meant() {
     refused(bilateral(7), "kinds[0]");
     refused(bilateral(2), "delassus");
     refused(JointedProblem::new(1, vec![ConstraintKind::Limit], dmatrix![1.0], dvector![1.0, 2.0]), "free_velocity");
-    refused(JointedProblem::new(1, vec![ConstraintKind::Limit], dmatrix![f64::NAN], dvector![1.0]), "delassus[0, 0]");
+    let beside = dmatrix![1.0, f64::NAN; 0.0, 1.0];
+    refused(JointedProblem::new(1, vec![ConstraintKind::Limit; 2], beside, dvector![1.0, 1.0]), "delassus[0, 1]");
     refused(six().law(Law::Coulomb, vec![0.0, 0.5, 0.5]), "friction[1]");
     refused(six().law(Law::Coulomb, vec![0.5, 0.0, 0.5]), "friction[0]");
     refused(six().law(Law::Coulomb, vec![0.0, 0.0, -0.5]), "friction[2]");
