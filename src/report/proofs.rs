@@ -179,3 +179,41 @@ const MECHANISM: &str = " of W = H M̂⁻¹ Hᵀ, not rounded";
 
 /// With joints W alone is kept.
 const STORED: &str = " of W as it is stored";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{DMatrix, DVector, dvector};
+
+    fn posed(w: &[f64], free: &[f64], rows: usize, mu: f64) -> ContactProblem {
+        let made = ContactProblem::new(DMatrix::from_row_slice(free.len(), free.len(), w), DVector::from_row_slice(free));
+        made.rows_per_contact(rows).friction(vec![mu; free.len() / rows]).build().expect("sizes fit")
+    }
+
+    fn told(problem: &ContactProblem, exists: bool, answers: Vec<Solution>) -> (String, bool) {
+        let proofs = Proofs::new(problem, exists, || answers).expect("finite numbers");
+        (proofs.lines().join("\n"), proofs.denies())
+    }
+
+    #[test]
+    fn a_report_tells_what_is_proved_of_all_solutions_and_nothing_else() {
+        let (one, denied) = told(&posed(&[1.0, 0.0, 0.0, 1.0], &[-1.0, 2.0], 2, 0.5), true, Vec::new());
+        assert!(one.starts_with("proved: at most one solution") && !one.contains("no solution") && !denied, "{one}");
+        let (three, denied) = told(&posed(&[1.0, 2.0, 2.0, 5.0], &[1.0, 4.0], 2, 1.0), true, Vec::new());
+        assert!(three.contains("exactly 3 velocities") && !three.contains("same velocities") && !denied, "{three}");
+        let (none, denied) = told(&posed(&[-1.0, 0.0, 0.0, 1.0], &[-1.0, 0.0], 2, 0.5), false, Vec::new());
+        assert!(none.contains("no solution") && denied, "{none}");
+    }
+
+    #[test]
+    fn a_continuum_in_space_is_told_with_its_ends_and_one_where_slip_turns_is_not() {
+        let rows = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let h = DMatrix::from_row_iterator(6, 3, rows.into_iter().flatten());
+        for (free, is_told) in [([3.0, 4.0], true), ([1.0, 2.0], false)] {
+            let free = dvector![0.0, free[0], free[1], 0.0, free[0], free[1]];
+            let walls = posed((&h * h.transpose()).as_slice(), free.as_slice(), 3, 0.5);
+            let (lines, denied) = told(&walls, true, vec![Solution::new("", DVector::zeros(6), free, 0)]);
+            assert_eq!((lines.contains("continuum") && lines.contains("other end"), denied), (is_told, false), "{lines}");
+        }
+    }
+}

@@ -41,10 +41,19 @@ pub(crate) fn rank(rows: &[Row]) -> Option<usize> {
     None
 }
 
-/// Whether these rows are independent: one prime may tell, and if it does not they are taken for dependent.
-pub(crate) fn surely_independent(rows: &[&Row]) -> bool {
+/// The places of rows that are independent, each of those before it in this order: all that are so modulo one prime.
+pub(crate) fn independent(rows: &[Row], order: &[usize]) -> Vec<usize> {
     let modulus = Modulus::new(primes().next().expect("there is one"));
-    modulus.rank(rows.iter().map(|row| row.modulo(&modulus)).collect()) == rows.len()
+    let (mut echelon, mut kept): (Vec<(usize, Vec<u64>)>, Vec<usize>) = (Vec::new(), Vec::new());
+    for &place in order {
+        let mut row = rows[place].modulo(&modulus);
+        echelon.iter().for_each(|(column, above)| modulus.eliminate(&mut row, above, *column));
+        if let Some(column) = row.iter().position(|x| *x != 0) {
+            echelon.push((column, row));
+            kept.push(place);
+        }
+    }
+    kept
 }
 
 /// ± m 2^k: sign, m and k.
@@ -197,6 +206,17 @@ impl Modulus {
         self.power(self.enter(2), u64::from(exponent))
     }
 
+    /// Takes as much of a row off another one as makes its entry in this column zero.
+    fn eliminate(&self, other: &mut [u64], row: &[u64], column: usize) {
+        if other[column] == 0 {
+            return;
+        }
+        let factor = self.prime - self.product(other[column], self.power(row[column], self.prime - 2));
+        for (x, y) in other.iter_mut().zip(row).filter(|(_, y)| **y != 0) {
+            *x = self.sum(*x, self.product(factor, *y));
+        }
+    }
+
     /// Row echelon form, pivots counted.
     fn rank(&self, mut rows: Vec<Vec<u64>>) -> usize {
         let columns = rows.first().map_or(0, Vec::len);
@@ -206,13 +226,7 @@ impl Modulus {
             rows.swap(rank, pivot);
             let (above, below) = rows.split_at_mut(rank + 1);
             let row = &above[rank];
-            let inverse = self.power(row[column], self.prime - 2);
-            for other in below.iter_mut().filter(|other| other[column] != 0) {
-                let factor = self.prime - self.product(other[column], inverse);
-                for (x, y) in other[column..].iter_mut().zip(&row[column..]).filter(|(_, y)| **y != 0) {
-                    *x = self.sum(*x, self.product(factor, *y));
-                }
-            }
+            below.iter_mut().for_each(|other| self.eliminate(other, row, column));
             rank += 1;
         }
         rank
@@ -269,6 +283,14 @@ mod tests {
     }
 
     #[test]
+    fn rows_are_kept_in_their_order_as_long_as_they_are_independent() {
+        let all = entries(&DMatrix::from_row_slice(4, 3, &[1.0, 0.0, 0.1, 2.0, 0.0, 0.2, 0.0, 1.0, 0.0, 1.0, 1.0, 0.1]));
+        for (order, kept) in [([0, 1, 2, 3], vec![0, 2]), ([3, 1, 0, 2], vec![3, 1]), ([2, 3, 1, 0], vec![2, 3])] {
+            assert_eq!((independent(&all, &order), rank(&all)), (kept, Some(2)), "{order:?}");
+        }
+    }
+
+    #[test]
     fn a_last_digit_makes_the_difference() {
         let near = |x: f64| DMatrix::from_row_slice(2, 2, &[0.1, 0.3, 0.2, x]);
         assert_eq!(rank(&entries(&near(0.6))), Some(elimination::rank(&near(0.6).map(exact))));
@@ -317,7 +339,7 @@ mod tests {
         assert_eq!(prime, (1 << 61) - 1, "a prime of Mersenne");
         let [high, low] = [(1_u64 << 61) as f64, -1.0];
         let rows = rows(&[[[high, low], [0.0, 0.0]], [[0.0, 0.0], [1.0, 0.0]]]);
-        assert!(!surely_independent(&rows.iter().collect::<Vec<_>>()));
+        assert_eq!(independent(&rows, &[0, 1]), [1]);
         assert_eq!(rank(&rows), Some(2));
     }
 

@@ -12,7 +12,7 @@ use super::case::{Case, Linear};
 use super::pattern::{Contact, pressed_rows};
 use super::reason::Reason;
 use crate::certificate::planted::{Plant, planted};
-use crate::certificate::rank::{Entry, Row, rank, surely_independent};
+use crate::certificate::rank::{Entry, Row, independent, rank};
 use crate::problem::ContactProblem;
 use crate::tolerance::proof::dependent_pivot;
 
@@ -36,18 +36,19 @@ pub(super) fn dependent_rows(
     let contact = |place: usize| linear[place].0 / problem.rows_per_contact();
     let refused = |text: String, contact: Option<usize>| Reason { text, contact };
     let too_long = || refused("deciding which of the rows depend exactly on others takes too long".into(), None);
-    let independent = rank(&rows).ok_or_else(too_long)?;
-    if independent == rows.len() {
+    let rank_of_all = rank(&rows).ok_or_else(too_long)?;
+    if rank_of_all == rows.len() {
         return Ok(Vec::new());
     }
     let order = pivots(linear.iter().map(|(at, linear)| base.rounded(*at, linear)));
-    let (kept, left) = order.split_at(independent);
-    if !surely_independent(&kept.iter().map(|place| &rows[*place]).collect::<Vec<_>>()) {
-        return Err(refused("no well conditioned choice of independent rows was found".into(), left.first().copied().map(contact)));
+    let kept = independent(&rows, &order);
+    let left: Vec<usize> = order.into_iter().filter(|place| !kept.contains(place)).collect();
+    if kept.len() != rank_of_all {
+        return Err(refused("no choice of independent rows was found".into(), left.first().copied().map(contact)));
     }
     let with_free = base.with_free(problem);
     let all: Vec<Row> = linear.iter().map(|(at, linear)| with_free.row(*at, linear)).collect();
-    if rank(&all).ok_or_else(too_long)? != independent && !planted(Plant::Rank) {
+    if rank(&all).ok_or_else(too_long)? != rank_of_all && !planted(Plant::Rank) {
         let k = contact(left[0]);
         return Err(refused(format!("rows that depend exactly on others have free velocities that do not ({})", name(k)), Some(k)));
     }
@@ -67,11 +68,9 @@ pub(in crate::certificate) fn independent_rows(problem: &ContactProblem, rows: &
     };
     let columns: Vec<Row> = entries.iter().map(|row| Row::new(row)).collect();
     let order = pivots(entries.iter().map(|row| row.iter().map(|[one, other]| one + other).collect()));
-    let independent = rank(&columns)?;
-    let mut kept = order[..independent].to_vec();
+    let mut kept = independent(&columns, &order);
     kept.sort_unstable();
-    surely_independent(&kept.iter().map(|place| &columns[*place]).collect::<Vec<_>>())
-        .then(|| kept.into_iter().map(|place| rows[place]).collect())
+    (kept.len() == rank(&columns)?).then(|| kept.into_iter().map(|place| rows[place]).collect())
 }
 
 /// The rows of which equations are made: of H with a column for the compliance, or of A at the columns that have an impulse.
