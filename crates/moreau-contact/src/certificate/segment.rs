@@ -9,7 +9,7 @@
 //! has. None of it takes a root: r_t is against y_t where their cross product vanishes, r_t·y_t ≤ 0 and ‖r_t‖² = μ² r_n².
 //!
 //! Ends are looked for with the directions of an answer, which must be rational, d = (1 − t², 2t)/(1 + t²) with a small fraction t: the
-//! contacts that touch then are a polyhedron of impulses, as in the plane ([`patterns`](super::patterns)), sticking ones in eight generators
+//! contacts that touch then are a polyhedron of impulses, as in [`patterns`](super::patterns), sticking ones in eight generators
 //! of their cone. Where slip has another direction, or turns along a continuum, no end of it is a fraction, and nothing is said.
 
 use super::feasibility::nonnegative_solution;

@@ -4,7 +4,7 @@ use super::tests::{is_exact, table};
 use super::*;
 use crate::certificate::planted::with;
 use crate::problem::Law;
-use crate::tolerance::sharpness::{MANY, roundings};
+use crate::tolerance::sharpness::{MANY, REDUNDANT, roundings};
 use moreau_exact::scalar::exact;
 
 const MU: f64 = 0.5;
@@ -109,7 +109,7 @@ fn impulses_of_feet_that_slide_on_a_side_are_within_the_radius_wherever_the_answ
     for law in SQUARE {
         let (problem, solution) = sliding_table(law, true, [0.0; 3], true);
         let mut answer = solution.clone();
-        answer.impulse.iter_mut().enumerate().for_each(|(row, r)| *r += 1e-6 * (row as f64 - 5.0));
+        answer.impulse.iter_mut().enumerate().for_each(|(row, r)| *r += REDUNDANT[1] * (row as f64 - 5.0));
         answer.velocity = problem.velocity(&answer.impulse);
         let radius = forward(&problem, &answer).expect("finite numbers").proved().expect("it slides");
         // all solutions have one velocity, in fractions

@@ -31,8 +31,8 @@ pub(super) struct Failed {
     pub contact: usize,
 }
 
-/// The equations of a pattern that do not follow from others, and the rows whose impulses are unknown, in the columns of A; the others of its
-/// columns are given.
+/// The equations of a pattern that do not follow from others, and the rows whose impulses are unknown, in the columns of A; the others of
+/// its columns are given.
 pub(super) struct System<'a> {
     pub affine: &'a Affine<'a>,
     pub contacts: &'a [Contact],

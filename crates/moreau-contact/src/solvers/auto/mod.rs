@@ -51,7 +51,7 @@ use stages::{QUICK, THOROUGH, left_out};
 /// | the associated laws | accelerated projected gradient with round cones, Clarabel |
 /// | one row, the plane, polyhedral laws, no friction; up to ten times as many contacts as before | Lemke |
 /// | no friction, several rows | all of this again, for the normal rows alone |
-/// | one row, the plane, polyhedral Coulomb, no friction; few contacts | complementary cones, in fractions: a solution, or the proof of none |
+/// | one row, the plane, polyhedral Coulomb, no friction; few contacts | complementary cones: a solution, or the proof of none |
 ///
 /// What takes a start has the best answer of those before; pivots, interior points, paths from soft to hard and from smooth to sharp begin
 /// anew. The order and the numbers of iterations are fixed, so that the same problem has the same answer on every machine; no clock is
