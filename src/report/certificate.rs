@@ -61,6 +61,9 @@ pub struct Certificate<'a> {
     /// Whether the same command finds this answer again; absent where nobody knows how it was made.
     #[serde(skip_serializing_if = "Option::is_none")]
     reproducible: Option<bool>,
+    /// Why the impulses are the solver's and not those of least norm, where these were asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    not_least_norm: Option<String>,
     /// The largest relative residual of a contact, look by look of the solver.
     #[serde(skip_serializing_if = "Option::is_none")]
     history: Option<Vec<f64>>,
@@ -139,6 +142,8 @@ pub struct Ending {
     pub exhausted: bool,
     /// Whether the same command finds this answer again.
     pub reproducible: bool,
+    /// Why its impulses are not those of least norm, where these were asked for and not found.
+    pub not_least_norm: Option<String>,
     /// The residuals of its looks, where they were asked for.
     pub history: Option<Vec<f64>>,
 }
@@ -203,6 +208,7 @@ impl<'a> Certificate<'a> {
             solutions: None,
             no_solution: None,
             reproducible: None,
+            not_least_norm: None,
             history: None,
             without_units: false,
         }
@@ -246,7 +252,8 @@ impl<'a> Certificate<'a> {
             (false, true) => "limit",
             (false, false) => "stalled",
         };
-        Certificate { status, reproducible: Some(ending.reproducible), history: ending.history, ..self }
+        let Ending { reproducible, not_least_norm, history, .. } = ending;
+        Certificate { status, reproducible: Some(reproducible), not_least_norm, history, ..self }
     }
 
     /// The same with a proved backward error.
@@ -362,6 +369,9 @@ impl<'a> Certificate<'a> {
             for looks in history.chunks(PER_LINE) {
                 line(format!("  {}", looks.iter().map(|residual| format!("{residual:.1e}")).collect::<Vec<_>>().join(" ")));
             }
+        }
+        if let Some(reason) = &self.not_least_norm {
+            line(format!("the impulses are the solver's, not those of least norm: {reason}"));
         }
         if self.reproducible == Some(false) {
             line("ended by the time limit: another run need not find this answer again".into());

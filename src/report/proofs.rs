@@ -69,7 +69,7 @@ impl Proofs {
         let infeasible = if exists { None } else { infeasible(problem).map(|found| Refuted::new(found, "")) };
         if unique == "unknown" && known.is_open() && infeasible.is_none() {
             let met: Vec<Solution> = std::mem::take(&mut known.met).into_iter().chain(answers()).collect();
-            known.continuum = met.iter().find_map(|answer| segment(problem, answer).ok().flatten()).map(ends);
+            known.continuum = segment(problem, &met).ok().flatten().map(ends);
             known.several = Several::among(problem, &met)?;
         } else {
             known.undecided.clear();

@@ -247,6 +247,27 @@ fn of_the_impulses_that_give_one_velocity_those_of_least_norm_are_chosen_on_requ
     assert!(impulses(&["--least-norm"]).iter().all(|r| (r - 0.5).abs() <= 1e-12));
 }
 
+/// A box that slides on four corners, answered to 1e-8 only: that is too rough for the impulses of least norm, and a solution all the same.
+#[test]
+fn an_answer_whose_impulses_of_least_norm_are_not_found_is_kept_and_says_so() {
+    let folder = Folder::new("solve-least-norm-rough");
+    let rows = "[1, -1, 0, 2], [0, 2, 1, 0], [1, 2, -2, -1]";
+    let sliding = format!(
+        r#"{{"schema": "contact-problem/1", "name": "sliding", "dimension": 3, "law": "associated", "friction": [0.75, 0.75, 0.75, 0.75],
+            "free_velocity": [-946.25, 120, 369.5, -946.25, 120, 370, -946.25, 119.5, 370, -946.25, 119.5, 369.5],
+            "shift": [0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0.5, 0.5],
+            "mass": {{"shape": [4, 4], "rows": [[1, 0, 0, 0], [0, 5, 0, 0], [0, 0, 5, 0], [0, 0, 0, 0.5]]}},
+            "jacobian": {{"shape": [12, 4], "rows": [{rows}, {rows}, {rows}, {rows}]}}}}"#
+    );
+    let (problem, out) = (folder.file("problem.json", &sliding), folder.path("answer.json"));
+    let words = ["solve", &problem, "--solver", "admm", "--tolerance", "1e-8", "--least-norm", "--out", &out];
+    let (text, json) = (moreau(&words), moreau(&[&words[..], &["--format", "json"]].concat()));
+    assert_eq!((text.code, json.code), (0, 0), "{}", text.message);
+    assert!(text.output.contains("the impulses are the solver's, not those of least norm: "), "{}", text.output);
+    assert!(json.json()["not_least_norm"].as_str().expect("the reason").contains("nearly dependent"));
+    assert!(moreau(&[&words[..6], &words[7..], &["--format", "json"]].concat()).json()["not_least_norm"].is_null());
+}
+
 #[test]
 fn the_history_is_shown_in_both_formats_and_an_indefinite_lcp_is_named_so() {
     let folder = Folder::new("solve-history");

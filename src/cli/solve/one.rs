@@ -56,13 +56,14 @@ pub fn solved(
             return Ok(Outcome::None { error, proof });
         }
     };
-    let mut solution = if arguments.least_norm { smallest(&problem, solution, file)? } else { solution };
+    let (mut solution, not_least_norm) = if arguments.least_norm { smallest(&problem, solution, file)? } else { (solution, None) };
     solution.keys = posed::keys(&problem);
     let residuals = posed::judge(&problem, &solution)?;
     let exhausted = seen.interrupted || solver.iteration_limit().is_some_and(|most| solution.iterations >= most);
     // what ends without a look on the way has its answer looked at
     let looks = if seen.history.is_empty() { vec![residuals.relative()] } else { seen.history };
-    let ending = Ending { exhausted, reproducible: !seen.interrupted, history: arguments.history.then_some(looks) };
+    let history = arguments.history.then_some(looks);
+    let ending = Ending { exhausted, reproducible: !seen.interrupted, not_least_norm, history };
     let is_lcp = is_lcp(file, &problem);
     Ok(Outcome::Answer(Box::new(Answered { problem, solution, residuals, ending, is_lcp })))
 }
@@ -90,9 +91,15 @@ impl Answered {
     }
 }
 
-/// The answer with the impulses of least norm; a rejected one stays as it is.
-fn smallest(problem: &Posed, solution: Solution, file: &Path) -> Result<Solution> {
+/// The answer with the impulses of least norm; where they are not found as it is, with the reason. A rejected one stays as it is, too.
+fn smallest(problem: &Posed, solution: Solution, file: &Path) -> Result<(Solution, Option<String>)> {
     let contacts = posed::contacts(problem, "--least-norm")?;
-    let rejected = !posed::judge(problem, &solution)?.contacts.judged.accepts(CERTIFY);
-    if rejected { Ok(solution) } else { least_norm(contacts, &solution).map_err(|error| error.in_file(file)) }
+    if !posed::judge(problem, &solution)?.contacts.judged.accepts(CERTIFY) {
+        return Ok((solution, None));
+    }
+    match least_norm(contacts, &solution) {
+        Ok(smallest) => Ok((smallest, None)),
+        Err(Error::Solver { reason, .. }) => Ok((solution, Some(reason))),
+        Err(error) => Err(error.in_file(file)),
+    }
 }

@@ -27,6 +27,7 @@ use nalgebra::{DMatrix, DVector};
 const EIGHT: [[i64; 2]; 8] = [[5, 0], [4, 3], [0, 5], [-3, 4], [-5, 0], [-4, -3], [0, -5], [3, -4]];
 
 /// What a contact does on a segment.
+#[derive(PartialEq)]
 enum Doing {
     Open,
     Pressing,
@@ -35,8 +36,8 @@ enum Doing {
     Sliding(Vec<Rational>),
 }
 
-/// Two solutions with different velocities between which every mean of both impulses is a solution, near an answer or far from it; none if
-/// none is found.
+/// Two solutions with different velocities between which every mean of both impulses is a solution, whose contacts do what they do at one of
+/// these answers; none if none is found.
 ///
 /// # Errors
 /// [`Error::Unsupported`] for other laws than Coulomb's, compliant contacts, and more than [`SEGMENT_ROWS`] rows.
@@ -49,19 +50,27 @@ enum Doing {
 /// let h = DMatrix::from_row_slice(6, 3, &[1., 0., 0., 0., 1., 0., 0., 0., 1., -1., 0., 0., 0., 1., 0., 0., 0., 1.]);
 /// let walls = ContactProblem::new(&h * h.transpose(), dvector![0., 3., 4., 0., 3., 4.]).friction(vec![0.5; 2]).build()?;
 /// let free = Solution::new("by hand", dvector![0., 0., 0., 0., 0., 0.], walls.free_velocity().clone(), 0);
-/// let [one, other] = segment(&walls, &free)?.expect("a continuum");
+/// let [one, other] = segment(&walls, &[free])?.expect("a continuum");
 /// assert_ne!(one.velocity, other.velocity);
 /// # Ok::<(), moreau_contact::Error>(())
 /// ```
-pub fn segment(problem: &ContactProblem, answer: &Solution) -> Result<Option<[Exact; 2]>> {
+pub fn segment(problem: &ContactProblem, answers: &[Solution]) -> Result<Option<[Exact; 2]>> {
     let is_coulomb = matches!(problem.law(), Law::Coulomb | Law::Frictionless);
     if !is_coulomb || problem.compliance().is_some() || problem.rows() > SEGMENT_ROWS {
         let text = format!("a segment of solutions is looked for under Coulomb's law with hard contacts, of {SEGMENT_ROWS} rows at most");
         return Err(Error::Unsupported(text));
     }
     let data = Data::new(problem, operator(problem)?);
-    let found = data.doings(problem, answer).and_then(|doings| data.ends(&doings));
-    Ok(found.filter(|ends| data.is_segment(ends)))
+    let mut looked_at: Vec<Vec<Doing>> = Vec::new();
+    for doings in answers.iter().filter_map(|answer| data.doings(problem, answer)) {
+        // where every contact sticks no velocity of one is left to move
+        let may_move = doings.iter().any(|doing| *doing != Doing::Sticking) && !looked_at.contains(&doings);
+        if let Some(ends) = may_move.then(|| data.ends(&doings)).flatten().filter(|ends| data.is_segment(ends)) {
+            return Ok(Some(ends));
+        }
+        looked_at.push(doings);
+    }
+    Ok(None)
 }
 
 /// The problem in fractions.
@@ -234,7 +243,7 @@ mod tests {
     fn a_body_between_walls_slides_at_all_speeds_between_two_ends() {
         for (free, shares) in [([3.0, 4.0], [3, 4]), ([-4.0, 3.0], [-4, 3]), ([0.0, -5.0], [0, -5]), ([-5.0, 0.0], [-5, 0])] {
             let problem = walls(free);
-            let [one, other] = segment(&problem, &free_of(&problem)).unwrap().expect("a continuum");
+            let [one, other] = segment(&problem, &[free_of(&problem)]).unwrap().expect("a continuum");
             // v = (5 − p) d with p of 0 to 5
             let mut speeds: Vec<Rational> =
                 [&one, &other].map(|end| (0..2).fold(Rational::ZERO, |sum, i| sum + &end.velocity[1 + i] * ratio(shares[i], 5))).to_vec();
@@ -252,11 +261,11 @@ mod tests {
     #[test]
     fn where_velocities_are_unique_or_slip_is_no_fraction_nothing_is_said() {
         let still = walls([0.0, 0.0]);
-        assert_eq!(segment(&still, &free_of(&still)).unwrap(), None);
+        assert_eq!(segment(&still, &[free_of(&still)]).unwrap(), None);
         let askew = walls([1.0, 2.0]);
-        assert_eq!(segment(&askew, &free_of(&askew)).unwrap(), None);
+        assert_eq!(segment(&askew, &[free_of(&askew)]).unwrap(), None);
         let soft = still.into_builder().law(Law::Associated).build().unwrap();
-        assert!(segment(&soft, &free_of(&soft)).is_err());
+        assert!(segment(&soft, &[free_of(&soft)]).is_err());
     }
 
     /// Pairs of solutions between which means are none, that are taken for segments.

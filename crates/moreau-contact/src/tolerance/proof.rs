@@ -123,9 +123,10 @@ pub const PATTERN_CONTACTS: usize = 6;
 /// Set.
 pub const AGAIN: f64 = 1e-9;
 
-/// Most rows of a problem of which a segment of solutions is looked for: its linear programs in fractions take a second or so.
+/// Most rows of a problem of which a segment of solutions is looked for: six contacts in space. The numbers of its linear programs in
+/// fractions grow with every pivot, so that twenty contacts take many minutes.
 /// Set.
-pub const SEGMENT_ROWS: usize = 60;
+pub const SEGMENT_ROWS: usize = 18;
 
 /// How near the tangent of half of a slip's angle is to a small fraction that is tried in its place, and the part of the largest velocity
 /// that is taken for none where a segment is looked for. What is found is checked in fractions.
