@@ -13,7 +13,7 @@
 //! u_free, and the rounding of that product in the floors. Their scales have q, too, what they would do without the joints: a contact that
 //! joints hold fast has no other velocity. Nothing here is eliminated: the answer is held against W as it was given.
 
-use super::judge::{Judged, Worst};
+use super::judged::{Judged, Worst};
 use super::part::Part;
 use super::residuals::{Residuals, of_held};
 use super::scales::Unheld;

@@ -14,7 +14,8 @@
 //! is within its own says no more than this velocity. Where a contact slides, the scale of friction is μ s_r, for μ > 1 at most the larger
 //! of s_r and s_t. The rounding of its velocity counts as an angle, relative to the slip.
 
-use super::at_contact::{AtContact, Here, worst};
+use super::at_contact::{AtContact, Here};
+use super::judged::Judged;
 use super::part::{Part, pair};
 use super::polyhedral::{self, Pairs};
 use super::remembered;
@@ -23,96 +24,6 @@ use crate::cones::second_order::{distance, length, tangential_norm};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::certificate::PROJECTED;
 use moreau_exact::{Error, Result};
-
-/// A residual where it is worst.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Worst {
-    /// The residual with its scale and its rounding.
-    pub part: Part,
-    /// The contact.
-    pub contact: usize,
-    /// The largest value of this residual at any contact. It may belong to another contact.
-    pub largest: f64,
-}
-
-/// The six residuals of an answer, each at the contact where it is worst.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Judged {
-    /// dist(r, K) \[N·s\].
-    pub primal: Worst,
-    /// dist(ŷ, K*) \[m/s\].
-    pub dual: Worst,
-    /// |r·ŷ| \[J\].
-    pub complementarity: Worst,
-    /// Natural map of Signorini's pair \[N·s\].
-    pub normal: Worst,
-    /// Natural map of friction \[N·s\].
-    pub tangential: Worst,
-    /// |u − (W r + u_free)| of the stored u \[m/s\].
-    pub velocity: Worst,
-    /// max r_n/(ρ_n V), V the largest velocity of the data of the contact's island: how many times the impulse that the data ask of a
-    /// contact one of them carries.
-    pub loaded: f64,
-}
-
-impl Judged {
-    /// Name, worst place and unit of each residual.
-    pub fn entries(&self) -> [(&'static str, Worst, &'static str); 6] {
-        [
-            ("primal", self.primal, "N·s"),
-            ("dual", self.dual, "m/s"),
-            ("complementarity", self.complementarity, "J"),
-            ("normal", self.normal, "N·s"),
-            ("tangential", self.tangential, "N·s"),
-            ("velocity", self.velocity, "m/s"),
-        ]
-    }
-
-    /// The residual with the largest relative size.
-    pub fn worst(&self) -> (&'static str, Worst) {
-        let entries = self.entries();
-        let mut worst = (entries[0].0, entries[0].1);
-        for (name, one, _) in &entries[1..] {
-            if one.part.exceeds(&worst.1.part) {
-                worst = (name, *one);
-            }
-        }
-        worst
-    }
-
-    /// The largest relative size; not a number if one is not.
-    pub fn relative(&self) -> f64 {
-        self.worst().1.part.relative()
-    }
-
-    /// Whether every residual is within its limit max(τ · scale, floor).
-    pub fn accepts(&self, tolerance: f64) -> bool {
-        self.relative() <= tolerance
-    }
-
-    fn take(&mut self, contact: usize, at: AtContact, see: &mut impl FnMut(usize, usize, Part)) {
-        let parts = [at.primal, at.dual, at.complementarity, at.normal, at.tangential];
-        let places = [&mut self.primal, &mut self.dual, &mut self.complementarity, &mut self.normal, &mut self.tangential];
-        for (entry, (place, part)) in places.into_iter().zip(parts).enumerate() {
-            see(contact, entry, part);
-            place.take(contact, part);
-        }
-    }
-}
-
-impl Worst {
-    /// The first part is kept even where it is 0: it has a limit that readers look at.
-    pub(super) fn take(&mut self, contact: usize, part: Part) {
-        let is_rounding = part.value <= part.floor && part.floor.is_finite();
-        if is_rounding && part.value <= self.part.value && self.part != Part::default() {
-            return; // its relative size is 0, and its value no larger
-        }
-        self.largest = worst(self.largest, part.value);
-        if self.part == Part::default() || part.exceeds(&self.part) {
-            (self.part, self.contact) = (part, contact);
-        }
-    }
-}
 
 /// Judges answers; its memory is used again, so that judging step after step does not allocate.
 #[derive(Clone, Debug, Default)]

@@ -23,6 +23,7 @@ pub mod interval;
 pub mod jointed_proof;
 pub mod joints;
 mod judge;
+mod judged;
 mod kernel_witness;
 pub mod lcp;
 mod lcp_enclosure;
@@ -57,7 +58,8 @@ pub mod verified_cholesky;
 
 pub use by_contact::{ContactResiduals, by_contact};
 pub use decision::Decision;
-pub use judge::{Judge, Judged, Worst};
+pub use judge::Judge;
+pub use judged::{Judged, Worst};
 pub use part::Part;
 pub use residuals::{Residuals, residuals};
 pub use step::{Judgement, StepResidual};

@@ -4,7 +4,7 @@
 //! It is kept by the judge and by nobody else, so that no solver can say what its answer is worth; and it is of one problem and one answer:
 //! another problem, or another number in r or u, is judged.
 
-use super::judge::Judged;
+use super::judged::Judged;
 use crate::problem::{ContactProblem, Solution};
 use crate::tolerance::solvers::KEPT;
 use std::cell::RefCell;

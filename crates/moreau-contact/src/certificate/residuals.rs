@@ -17,7 +17,8 @@
 //! R_kk), and with ρ = 1 kg by Siconos's size and by FCLIB's.
 
 use super::at_contact::{Here, worst};
-use super::judge::{Judge, Judged, check_sizes};
+use super::judge::{Judge, check_sizes};
+use super::judged::Judged;
 use super::natural_map::{self, OneKilogram};
 use super::polyhedral::Pairs;
 use super::scales::Unheld;

@@ -1,7 +1,7 @@
 //! Residuals in a file: a map of `{"value": …, "unit": …}`, with relative size, scale, rounding and contact where they decide.
 
 use super::joints::JointedResiduals;
-use super::judge::Worst;
+use super::judged::Worst;
 use super::residuals::Residuals;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Serialize, Serializer};

@@ -1,6 +1,6 @@
 //! Tests of the residuals: both sides of every condition, units, and an error a single relative number hides.
 
-use super::super::judge::Worst;
+use super::super::judged::Worst;
 use super::*;
 use crate::certificate::Part;
 use crate::problem::{Compliance, Coordinates, Dynamics};

@@ -36,8 +36,8 @@ enum Doing {
     Sliding(Vec<Rational>),
 }
 
-/// Two solutions with different velocities between which every mean of both impulses is a solution, whose contacts do what they do at one of
-/// these answers; none if none is found.
+/// Two solutions with different velocities between which every mean of both impulses is a solution, whose contacts do what they do at one
+/// of these answers; none if none is found.
 ///
 /// # Errors
 /// [`Error::Unsupported`] for other laws than Coulomb's, compliant contacts, and more than [`SEGMENT_ROWS`] rows.

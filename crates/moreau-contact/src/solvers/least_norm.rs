@@ -63,7 +63,9 @@ pub fn least_norm(problem: &ContactProblem, solution: &Solution) -> Result<Solut
     let velocity = problem.velocity(&impulse);
     let found = Solution { impulse, velocity, iterations: solution.iterations + steps, beta: None, sigma: None, ..solution.clone() };
     if judge.judge(problem, &found)?.relative() > CERTIFY {
-        return Err(Error::breakdown(NAME, "found none with this velocity: rows are too nearly dependent, or the answer is too rough; solve to a smaller `--tolerance`"));
+        let reason =
+            "found none with this velocity: rows are too nearly dependent, or the answer is too rough; use a smaller `--tolerance`";
+        return Err(Error::breakdown(NAME, reason));
     }
     Ok(found)
 }
