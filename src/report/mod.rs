@@ -16,6 +16,7 @@ pub mod lcp_proof;
 pub mod matrix;
 pub mod motion;
 pub mod motion_page;
+mod near;
 pub mod no_answer;
 pub mod peers;
 pub mod problems;

@@ -18,6 +18,7 @@ pub mod feasibility;
 pub mod forward;
 mod groups;
 pub mod impulse_set;
+mod in_fractions;
 pub mod infeasible;
 pub mod interval;
 pub mod jointed_proof;

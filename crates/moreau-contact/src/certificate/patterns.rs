@@ -11,13 +11,14 @@
 //! list is complete: *no* solution, *exactly k* velocities, or a continuum, between two ends of which every mean is a solution.
 
 use super::feasibility::nonnegative_solution;
+use super::in_fractions::Data;
 use super::moving::moving;
 use super::true_operator::operator;
 use crate::problem::{ContactProblem, Law};
 use crate::tolerance::proof::PATTERN_CONTACTS;
 use dashu_ratio::RBig;
 use moreau_exact::elimination::solve;
-use moreau_exact::scalar::{Rational, exact, ratio};
+use moreau_exact::scalar::{Rational, ratio};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -91,28 +92,7 @@ enum Kind {
     Sliding(i64),
 }
 
-/// The problem in fractions.
-struct Data {
-    rows: usize,
-    w: DMatrix<Rational>,
-    free: DVector<Rational>,
-    shift: DVector<Rational>,
-    friction: Vec<Rational>,
-}
-
 impl Data {
-    fn new(problem: &ContactProblem, w: DMatrix<Rational>) -> Self {
-        let rows = problem.rows_per_contact();
-        let mu = |mu: &f64| if rows == 1 { RBig::ZERO } else { exact(problem.law().cone_friction(*mu)) };
-        Data {
-            rows,
-            w,
-            free: problem.free_velocity().map(exact),
-            shift: problem.shift().map(exact),
-            friction: problem.friction().iter().map(mu).collect(),
-        }
-    }
-
     fn kinds(&self, k: usize) -> &'static [Kind] {
         if self.friction[k].is_zero() {
             &[Kind::Open, Kind::Pressing]
@@ -221,7 +201,7 @@ mod tests {
     use super::*;
     use crate::certificate::residuals;
     use crate::problem::Solution;
-    use moreau_exact::scalar::Scalar;
+    use moreau_exact::scalar::{Scalar, exact};
     use nalgebra::dvector;
 
     fn planar(w: &[f64], free: &[f64], mu: f64) -> ContactProblem {

@@ -13,13 +13,14 @@
 //! of their cone. Where slip has another direction, or turns along a continuum, no end of it is a fraction, and nothing is said.
 
 use super::feasibility::nonnegative_solution;
+use super::in_fractions::Data;
 use super::moving::moving;
 use super::patterns::Exact;
 use super::planted::{Plant, planted};
 use super::true_operator::operator;
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::proof::{DIRECTION, LARGEST_DENOMINATOR, SEGMENT_ROWS};
-use moreau_exact::scalar::{Rational, exact, ratio};
+use moreau_exact::scalar::{Rational, ratio};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -73,23 +74,7 @@ pub fn segment(problem: &ContactProblem, answers: &[Solution]) -> Result<Option<
     Ok(None)
 }
 
-/// The problem in fractions.
-struct Data {
-    rows: usize,
-    w: DMatrix<Rational>,
-    free: DVector<Rational>,
-    shift: DVector<Rational>,
-    friction: Vec<Rational>,
-}
-
 impl Data {
-    fn new(problem: &ContactProblem, w: DMatrix<Rational>) -> Self {
-        let rows = problem.rows_per_contact();
-        let mu = |mu: &f64| if rows == 1 { Rational::ZERO } else { exact(problem.law().cone_friction(*mu)) };
-        let (free, shift) = (problem.free_velocity().map(exact), problem.shift().map(exact));
-        Data { rows, w, free, shift, friction: problem.friction().iter().map(mu).collect() }
-    }
-
     /// What the contacts of an answer may do; none if one slides in a direction that is no small fraction.
     fn doings(&self, problem: &ContactProblem, answer: &Solution) -> Option<Vec<Doing>> {
         let y = problem.law_velocity(&answer.impulse);
@@ -120,7 +105,7 @@ impl Data {
     }
 
     /// Σ c_i y_i of contact k that vanish, and those that must not be negative.
-    fn conditions(&self, doing: &Doing) -> [Vec<Vec<Rational>>; 2] {
+    fn rows_held(&self, doing: &Doing) -> [Vec<Vec<Rational>>; 2] {
         let unit = |i: usize| (0..self.rows).map(|j| ratio(i64::from(i == j), 1)).collect();
         let tangential = |d: &[Rational]| [Rational::ZERO].into_iter().chain(d.iter().cloned()).collect();
         match doing {
@@ -146,7 +131,7 @@ impl Data {
                 all
             };
             unknowns.extend(self.generators(k, doing).into_iter().map(whole));
-            let [vanish, stay] = self.conditions(doing);
+            let [vanish, stay] = self.rows_held(doing);
             zero.extend(vanish.into_iter().map(whole));
             positive.extend(stay.into_iter().map(whole));
         }
@@ -224,7 +209,7 @@ mod tests {
     use super::*;
     use crate::certificate::planted::with;
     use crate::certificate::residuals;
-    use moreau_exact::scalar::Scalar;
+    use moreau_exact::scalar::{Scalar, exact};
     use nalgebra::dvector;
 
     /// A body of 1 kg between two walls that stand still, μ = ½, sliding along them.
