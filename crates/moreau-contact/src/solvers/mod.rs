@@ -48,6 +48,7 @@ mod clarabel;
 mod colours;
 mod contact_systems;
 mod convex_subproblems;
+mod creep;
 mod elimination;
 mod elimination_memory;
 mod elimination_tree;

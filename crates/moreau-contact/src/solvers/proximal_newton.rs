@@ -14,6 +14,7 @@
 //! solving contact problems with Coulomb friction: formulations and numerical comparisons*, in *Advanced Topics in Nonsmooth Dynamics*
 //! (2018).
 
+use super::creep::Creep;
 use super::nonsmooth_newton::NonsmoothNewton;
 use super::stopping::Stopping;
 use super::{ContactSolver, watch};
@@ -33,11 +34,18 @@ pub struct ProximalNewton {
     pub tolerance: f64,
     /// α of the first point.
     pub softness: f64,
+    /// Points in a row that do not halve the certificate's residual after which it ends.
+    pub patience: usize,
 }
 
 impl Default for ProximalNewton {
     fn default() -> Self {
-        ProximalNewton { steps: tolerance::PROXIMAL_STEPS, tolerance: STOP, softness: tolerance::FIRST_PROXIMAL }
+        ProximalNewton {
+            steps: tolerance::PROXIMAL_STEPS,
+            tolerance: STOP,
+            softness: tolerance::FIRST_PROXIMAL,
+            patience: tolerance::PROXIMAL_PATIENCE,
+        }
     }
 }
 
@@ -69,8 +77,9 @@ impl ContactSolver for ProximalNewton {
         let (mut stopping, mut judge) = (Stopping::new(problem, self.tolerance), Judge::default());
         let mut relative = stopping.relative(&centre, &problem.law_velocity(&centre));
         let mut best = (relative, centre.clone());
+        let mut creep = Creep::default();
         let (mut alpha, mut steps, mut mark, mut since) = (self.softness, 0, f64::INFINITY, 0);
-        while best.0 > self.tolerance && steps < self.steps && since <= tolerance::PROXIMAL_PATIENCE && !watch::is_over() {
+        while best.0 > self.tolerance && steps < self.steps && since <= self.patience && !watch::is_over() {
             soften_around(&mut softer, problem, weights, alpha, &centre);
             let left = (tolerance::PART_LEFT * relative).min(tolerance::LARGEST_LEFT).max(tolerance::PART_LEFT * self.tolerance);
             let most = tolerance::STEPS_AROUND.min(self.steps - steps);
@@ -80,20 +89,24 @@ impl ContactSolver for ProximalNewton {
             steps += around.iterations.max(1);
             let has_ended = judge.judge(&softer, &around)?.relative() <= left;
             let moved = stopping.relative(&around.impulse, &problem.law_velocity(&around.impulse));
-            if has_ended || moved < relative {
-                (relative, centre) = (moved, around.impulse);
-            }
-            if relative < best.0 {
-                best = (relative, centre.clone());
+            if moved < best.0 {
+                best = (moved, around.impulse.clone());
             }
             since += 1;
             if best.0 < 0.5 * mark {
                 (mark, since) = (best.0, 0);
             }
-            if has_ended && around.iterations <= tolerance::FEW_STEPS_AROUND {
-                alpha = (alpha / tolerance::PROXIMAL_CHANGES).max(tolerance::LEAST_PROXIMAL);
-            } else if !has_ended {
-                alpha *= tolerance::PROXIMAL_CHANGES;
+            let had_leapt = creep.has_leapt();
+            if has_ended {
+                centre = creep.next(problem, &centre, around.impulse, moved <= 0.5 * relative);
+                relative = moved;
+            } else if let Some(left) = creep.take_back() {
+                centre = left;
+            } else if moved < relative {
+                (relative, centre) = (moved, around.impulse);
+            }
+            if !had_leapt && !creep.has_leapt() {
+                alpha = softness_after(alpha, has_ended, around.iterations);
             }
             if alpha > tolerance::MOST_PROXIMAL {
                 break;
@@ -101,6 +114,17 @@ impl ContactSolver for ProximalNewton {
         }
         let velocity = problem.velocity(&best.1);
         super::finite(Solution::new(NAME, best.1, velocity, steps))
+    }
+}
+
+/// α of the next point: less where Newton's steps were few, more where they did not end.
+fn softness_after(alpha: f64, has_ended: bool, steps: usize) -> f64 {
+    if !has_ended {
+        alpha * tolerance::PROXIMAL_CHANGES
+    } else if steps <= tolerance::FEW_STEPS_AROUND {
+        (alpha / tolerance::PROXIMAL_CHANGES).max(tolerance::LEAST_PROXIMAL)
+    } else {
+        alpha
     }
 }
 

@@ -66,6 +66,14 @@ pub const FEW_STEPS_AROUND: usize = STEPS_AROUND / 2;
 /// Set.
 pub const PROXIMAL_PATIENCE: usize = 30;
 
+/// Proximal points in a row that do not halve it where all else has failed: a creep from contact to contact ends after some hundred.
+/// Set.
+pub const PATIENCE: usize = 400;
+
+/// Most steps around those.
+/// Set.
+pub const PATIENT_STEPS: usize = 8000;
+
 /// α of the first proximal point, in units of the contact's own W: contacts are nearly as soft as the bodies.
 /// Set.
 pub const FIRST_PROXIMAL: f64 = 0.125;

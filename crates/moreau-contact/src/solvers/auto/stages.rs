@@ -12,7 +12,7 @@ use super::super::{
 use super::{fewer_contacts, smoothing};
 use crate::certificate::Judge;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
-use crate::tolerance::newton::{NEAR, NEAR_PROXIMAL, STEPS_AFTER_INTERIOR, STEPS_IN_AUTO};
+use crate::tolerance::newton::{NEAR, NEAR_PROXIMAL, PATIENCE, PATIENT_STEPS, STEPS_AFTER_INTERIOR, STEPS_IN_AUTO};
 use crate::tolerance::solvers::{self as tolerance, ENOUGH};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -47,6 +47,7 @@ pub(super) const THOROUGH: &[(Takes, Stage)] = &[
     (is_swept, newton),
     (is_iterated, |problem, _, stop| newton(problem, None, stop)),
     (is_iterated, through_softness),
+    (has_second_order_cone, patient_points),
     (has_second_order_cone, |problem, start, stop| {
         ProjectedGaussSeidel { sweeps: tolerance::PLAIN_SWEEPS, tolerance: stop, ..Default::default() }.solve(problem, start)
     }),
@@ -239,8 +240,8 @@ fn through_interior(problem: &ContactProblem, stop: f64) -> Result<Solution> {
 fn through_interior_and_points(problem: &ContactProblem, stop: f64) -> Result<Solution> {
     let begun = InteriorPoint { tolerance: stop, gap: tolerance::IDENTIFIED, ..Default::default() }.solve(problem, None)?;
     let near = NEAR.max(stop);
-    let points =
-        ProximalNewton { steps: STEPS_AFTER_INTERIOR, tolerance: near, softness: NEAR_PROXIMAL }.solve(problem, Some(&begun.impulse))?;
+    let points = ProximalNewton { steps: STEPS_AFTER_INTERIOR, tolerance: near, softness: NEAR_PROXIMAL, ..Default::default() }
+        .solve(problem, Some(&begun.impulse))?;
     let iterations = begun.iterations + points.iterations;
     if stop >= near {
         return Ok(Solution { iterations, ..points });
@@ -255,6 +256,14 @@ fn through_sweeps(problem: &ContactProblem, start: Option<&DVector<f64>>, stop: 
     let begun = solver.solve(problem, start)?;
     let ended = ProximalNewton { steps: STEPS_IN_AUTO, tolerance: stop, ..Default::default() }.solve(problem, Some(&begun.impulse))?;
     Ok(Solution { iterations: begun.iterations + ended.iterations, ..ended })
+}
+
+/// Many proximal points, which creep and leap to where a contact opens or sticks that nothing else tells.
+fn patient_points(problem: &ContactProblem, _: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
+    let near = stop.max(tolerance::ACCEPTABLE / 2.0);
+    let points = ProximalNewton { steps: PATIENT_STEPS, patience: PATIENCE, tolerance: near, ..Default::default() }.solve(problem, None)?;
+    let ended = short_newton(problem, Some(&points.impulse), stop)?;
+    Ok(Solution { iterations: points.iterations + ended.iterations, ..ended })
 }
 
 /// Lemke on a polygon in place of the disk, which tells which contacts press, stick and slide, and Newton from there.
