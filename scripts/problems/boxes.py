@@ -212,6 +212,27 @@ def _slides():
         yield Posed("uneven", about, _uneven(seed, contacts, friction, slow, two).problem(f"uneven-{contacts}"))
 
 
+def _landed(seed, plates, friction, points):
+    """Plates that have landed on each other slightly turned, each on points drawn in its lower side: the load wanders between them."""
+    draw, world, below, thickness = Draw(seed), Space(), None, 1 / 32
+    for _ in range(plates):
+        mass = 1 + draw.whole(3)
+        body = world.box((0.25, 0.25, thickness), mass, [v + draw.fraction() / 8 for v in falling()])
+        slope = unit([draw.fraction() / 16, draw.fraction() / 16, 1.0])
+        for _ in range(points):
+            x, y = draw.fraction() / 4, draw.fraction() / 4
+            world.touch(body, below, [x, y, -thickness], None if below is None else [x + 1 / 32, y - 1 / 64, thickness], slope, friction)
+        below = body
+    return world
+
+
+def _wandering():
+    """Which of a plate's points carries is told after a hundred thousand sweeps or steps, each of which hardly changes anything."""
+    for seed, plates, friction, points in [(22, 5, 0.5, 4), (26, 5, 0.25, 4), (28, 8, 0.5, 4), (3, 4, 0.8, 6), (30, 8, 0.5, 4)]:
+        about = f"{plates} plates that have landed on each other, {points} points each, μ = {friction}"
+        yield Posed("landed", about, _landed(seed, plates, friction, points).problem(f"landed-{plates}-{seed}"))
+
+
 def _directions(stones):
     """Unit vectors of the joints of an arch over about half a circle, from right to left."""
     m = 0.7854 * 2 / (2 * stones)
@@ -263,7 +284,7 @@ def _tables():
 
 def all_problems():
     """The problems, in order."""
-    for family in (_on_floor, _planar, _towers, _convex, _walls, _arches, _tables, _hard, _slides):
+    for family in (_on_floor, _planar, _towers, _convex, _walls, _arches, _tables, _hard, _slides, _wandering):
         yield from family()
 
 

@@ -61,7 +61,7 @@ Columns:
   failed    how many solvers gave up, or answered what the certificate rejects; a solver of other laws does not fail";
 
 /// The families of problems, for `--group`.
-const GROUPS: [(&str, &str); 17] = [
+const GROUPS: [(&str, &str); 18] = [
     ("single", "one point or ball under every law: sticking, sliding, on borders, open"),
     ("painleve", "rods on the ground with Painlevé's paradox: several velocities at large μ"),
     ("plane", "in the plane: beams on 2 to 60 points, and others"),
@@ -75,6 +75,7 @@ const GROUPS: [(&str, &str); 17] = [
     ("redundant", "tables on more legs than they need: impulses are not unique"),
     ("mass-ratio", "piles and pyramids whose masses differ by up to 1e6"),
     ("uneven", "boxes that slide on points which are all but in a plane"),
+    ("landed", "plates that have landed on each other, between whose points the load wanders"),
     ("hard", "towers, pyramids and crates on which at least three of our solvers were expected to fail"),
     ("convex", "the same data under frictionless, associated and polyhedral laws"),
     ("no-solution", "proved to have none, some of them feasible"),

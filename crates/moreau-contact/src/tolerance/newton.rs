@@ -91,6 +91,19 @@ pub const NEAR: f64 = 1.0 / 1_048_576.0;
 /// Set.
 pub const STEPS_AFTER_INTERIOR: usize = 1000;
 
+/// Part of the last proximal point's step by which this one may differ from it for the two to be one creep. Of 32 steps of thrown boxes
+/// all are solved with any from a tenth to one.
+/// Set.
+pub const STRAIGHT: f64 = 0.5;
+
+/// How many times as far each leap along a creep goes as the one before. With four, three of the 32 are not solved.
+/// Set.
+pub const LEAPS_GROW: f64 = 2.0;
+
+/// What the length of a leap is divided by where Newton's steps around its end do not end.
+/// Set.
+pub const LEAPS_SHRINK: f64 = 4.0;
+
 /// What α is divided by after few steps, and multiplied with where they were too many.
 /// Set.
 pub const PROXIMAL_CHANGES: f64 = 4.0;
