@@ -6,9 +6,9 @@
 use moreau_contact::certificate::Judge;
 use moreau_contact::problem::{ContactProblem, Solution};
 use moreau_contact::solvers::{Auto, ContactSolver};
+use moreau_contact::tolerance::certificate::CERTIFY;
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::schemes::{MoreauJean, simulate};
-use moreau_contact::tolerance::certificate::CERTIFY;
 use nalgebra::DVector;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};

@@ -22,6 +22,9 @@ pub(super) struct Creep {
     step: Option<DVector<f64>>,
     /// ℓ of the last leap, zero where there was none.
     length: f64,
+    /// How many points in a row went straight on, and how many leaps in a row were taken back.
+    straight: usize,
+    failed: usize,
     /// The point that was left for the centre that is tried now.
     left: Option<DVector<f64>>,
 }
@@ -36,9 +39,12 @@ impl Creep {
     pub(super) fn next(&mut self, problem: &ContactProblem, centre: &DVector<f64>, point: DVector<f64>, falls: bool) -> DVector<f64> {
         let step = &point - centre;
         let goes_on = self.step.as_ref().is_some_and(|last| (&step - last).norm() <= STRAIGHT * last.norm());
-        self.left = None;
+        self.straight = if goes_on { self.straight + 1 } else { 0 };
+        if self.left.take().is_some() && goes_on {
+            self.failed = 0;
+        }
         let mut next = point;
-        if goes_on && !falls {
+        if !falls && self.straight > self.failed {
             self.length = LEAPS_GROW * self.length.max(1.0);
             self.left = Some(next.clone());
             next.axpy(self.length, &step, 1.0);
@@ -53,7 +59,11 @@ impl Creep {
     /// The point from which the centre was leapt to around which nothing was found.
     pub(super) fn take_back(&mut self) -> Option<DVector<f64>> {
         self.length /= LEAPS_SHRINK;
-        self.left.take()
+        let left = self.left.take();
+        if left.is_some() {
+            (self.failed, self.straight) = (self.failed + 1, 0);
+        }
+        left
     }
 }
 
@@ -94,7 +104,7 @@ mod tests {
     fn a_step_that_turns_ends_the_leaps_and_one_that_found_nothing_is_taken_back() {
         let (problem, mut creep) = (point(Law::Coulomb, 0.5, dvector![1.0, 0.0, 0.0]), Creep::default());
         let step = dvector![-0.0625, 0.0, 0.0];
-        let mut next = |creep: &mut Creep, from: f64, step: &DVector<f64>| {
+        let next = |creep: &mut Creep, from: f64, step: &DVector<f64>| {
             let centre = dvector![from, 0.0, 0.0];
             creep.next(&problem, &centre, &centre + step, false)
         };
