@@ -72,6 +72,7 @@ mod line_root;
 mod linear_form;
 mod multifrontal;
 mod newton_min;
+mod nonsmooth_equations;
 mod nonsmooth_newton;
 mod one_contact;
 pub mod parts;

@@ -24,19 +24,16 @@
 //! Mech. Eng. 92 (1991).
 
 use super::ContactSolver;
-use super::block_elimination::Slopes;
 use super::contact_systems::ContactSystems;
-use super::elimination;
 use super::friction_equations::FrictionEquations;
-use super::friction_set::{FrictionSet, Piece};
+use super::nonsmooth_equations::Equations;
 use super::stopping::Stopping;
 use super::workspace;
-use crate::certificate::Judge;
-use crate::memory::spare::{self, Lent, Spare};
+use crate::memory::spare::{self, Lent};
 use crate::problem::{ContactProblem, Coordinates, Law, Solution};
 use crate::tolerance::solvers as tolerance;
 use moreau_exact::{Error, Result};
-use nalgebra::{DMatrix, DVector, Matrix3};
+use nalgebra::DVector;
 
 /// Nonsmooth Newton for every law, compliance on edges excepted; W may be asymmetric and rank deficient.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +46,9 @@ pub struct NonsmoothNewton {
     pub starts: usize,
     /// Which radius friction has.
     pub equations: FrictionEquations,
+    /// How many steps in a row may have the factor of an earlier J, where W is stored by blocks and they leave little of F; 0 is Newton's
+    /// method. With more, an iterate at which much of F is left is not judged.
+    pub reuses: usize,
 }
 
 impl Default for NonsmoothNewton {
@@ -58,6 +58,7 @@ impl Default for NonsmoothNewton {
             tolerance: tolerance::STOP,
             starts: tolerance::NONSMOOTH_PROXIMALS.len(),
             equations: FrictionEquations::AlartCurnier,
+            reuses: 0,
         }
     }
 }
@@ -118,7 +119,7 @@ impl NonsmoothNewton {
         warm_start: Option<&DVector<f64>>,
         systems: Option<&mut ContactSystems>,
     ) -> Result<Solution> {
-        let mut equations = Equations::new(problem, self.equations, systems)?;
+        let mut equations = Equations::new(problem, self.equations, self.reuses, systems)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
         let start = Lent::from(super::start(problem, warm_start)?);
         let (mut best, mut law_velocity) = ((f64::INFINITY, start.clone()), Lent::from(spare::zeros(start.len())));
@@ -127,7 +128,8 @@ impl NonsmoothNewton {
             let (mut impulse, mut least, mut mark, mut since) = (start.clone(), f64::INFINITY, f64::INFINITY, 0);
             for taken in 0..=self.steps {
                 problem.write_law_velocity(impulse.as_slice(), law_velocity.as_mut_slice());
-                let relative = stopping.relative(&impulse, &law_velocity);
+                let is_judged = taken == self.steps || !equations.is_far(&impulse);
+                let relative = if is_judged { stopping.relative(&impulse, &law_velocity) } else { f64::INFINITY };
                 since += 1;
                 least = least.min(relative);
                 if least < 0.5 * mark {
@@ -141,7 +143,8 @@ impl NonsmoothNewton {
                 if relative <= self.tolerance || since >= patience || taken == self.steps || super::watch::is_over() {
                     break;
                 }
-                let Some(next) = equations.step(&impulse, &law_velocity, proximals) else { break };
+                let again = equations.step_again(&impulse);
+                let Some(next) = again.or_else(|| equations.step(&impulse, &law_velocity, proximals)) else { break };
                 impulse = next;
                 steps += 1;
             }
@@ -152,166 +155,6 @@ impl NonsmoothNewton {
         let impulse = best.1.into_inner();
         let velocity = problem.velocity(&impulse);
         super::finite(Solution::new(spare::text(self.name()), impulse, velocity, steps))
-    }
-}
-
-/// F and J of a problem.
-struct Equations<'a> {
-    problem: &'a ContactProblem,
-    /// R of every contact.
-    radius: FrictionEquations,
-    /// S of every contact.
-    set: FrictionSet,
-    /// W + R where it is stored densely; blocks are taken as they are.
-    operator: Option<DMatrix<f64>>,
-    /// What solves with J where W is stored by blocks.
-    systems: Option<&'a mut ContactSystems>,
-    /// ρ_n, ρ_t per contact \[kg\].
-    weights: &'a [[f64; 2]],
-}
-
-impl<'a> Equations<'a> {
-    fn new(problem: &'a ContactProblem, radius: FrictionEquations, systems: Option<&'a mut ContactSystems>) -> Result<Self> {
-        let set = match problem.law().directions() {
-            Some(directions) if problem.rows_per_contact() == 3 => FrictionSet::Polygon { directions },
-            _ => FrictionSet::Disk,
-        };
-        let operator = problem.delassus().blocks().is_none().then(|| problem.law_delassus()).transpose()?;
-        Ok(Equations { problem, radius, set, operator, systems, weights: Judge::weights(problem) })
-    }
-
-    /// r + s d with the first η and s that halve ‖F‖, or else those with the least; none where every d is not a number.
-    fn step(&mut self, from: &DVector<f64>, law_velocity: &DVector<f64>, proximals: &[f64]) -> Option<Lent<DVector<f64>>> {
-        let mut best: Option<(f64, Lent<DVector<f64>>)> = None;
-        for &proximal in proximals {
-            let (mut residual, slopes) = self.linearise(from, law_velocity, proximal);
-            let enough = 0.5 * residual.norm();
-            residual.neg_mut();
-            let Some(direction) = self.direction(&slopes, &residual).map(Lent::from).filter(|d| d.iter().all(|x| x.is_finite())) else {
-                continue;
-            };
-            let mut moved = Lent::from(spare::zeros(from.len()));
-            for halvings in 0..tolerance::NONSMOOTH_HALVINGS {
-                let part = 0.5f64.powi(halvings);
-                let mut tried = Lent::from(from.copied());
-                tried.zip_apply(&*direction, |tried, direction| *tried += direction * part);
-                self.problem.write_law_velocity(tried.as_slice(), moved.as_mut_slice());
-                self.write_residual(&tried, &moved, &mut residual);
-                let norm = residual.norm();
-                if best.as_ref().is_none_or(|(least, _)| norm < *least) {
-                    best = Some((norm, tried));
-                }
-                if norm <= enough {
-                    return best.map(|(_, impulse)| impulse);
-                }
-            }
-        }
-        best.map(|(_, impulse)| impulse)
-    }
-
-    /// Overwrites `residual` with F(r).
-    fn write_residual(&self, impulse: &DVector<f64>, law_velocity: &DVector<f64>, residual: &mut DVector<f64>) {
-        (0..self.problem.contacts()).for_each(|k| self.contact(k, [impulse, law_velocity], residual, None));
-    }
-
-    /// F(r), and A_k and B_k of J(r) with η for every contact; y = A r + q is given.
-    fn linearise(&self, impulse: &DVector<f64>, law_velocity: &DVector<f64>, proximal: f64) -> (Lent<DVector<f64>>, Lent<Vec<Slopes>>) {
-        let mut residual = Lent::from(spare::zeros(self.problem.rows()));
-        let mut slopes = Lent::from(spare::vector(self.problem.contacts()));
-        for k in 0..self.problem.contacts() {
-            self.contact(k, [impulse, law_velocity], &mut residual, Some((&mut slopes, proximal)));
-        }
-        (residual, slopes)
-    }
-
-    /// The d with J d = b.
-    fn direction(&mut self, slopes: &[Slopes], right_side: &DVector<f64>) -> Option<DVector<f64>> {
-        match (&mut self.systems, self.problem.delassus().blocks()) {
-            (Some(systems), Some(w)) => systems.factor(w, slopes, false).then(|| systems.solve(w, right_side)).flatten(),
-            _ => elimination::solve(&self.jacobian(self.operator.as_ref()?, slopes), right_side),
-        }
-    }
-
-    /// J, row by row: B times the rows of A, and A_k of the contact itself.
-    fn jacobian(&self, operator: &DMatrix<f64>, slopes: &[Slopes]) -> DMatrix<f64> {
-        let (rows, mut jacobian) = (self.problem.rows_per_contact(), DMatrix::zeros(self.problem.rows(), self.problem.rows()));
-        for (k, Slopes { own, through, .. }) in slopes.iter().enumerate() {
-            for i in 0..rows {
-                let mut changed = jacobian.row_mut(k * rows + i);
-                // tangential columns first
-                for column in (1..rows).chain([0]) {
-                    if through[(i, column)] != 0.0 {
-                        changed += operator.row(k * rows + column) * through[(i, column)];
-                    }
-                    changed[k * rows + column] += own[(i, column)];
-                }
-            }
-        }
-        jacobian
-    }
-
-    /// The rows of contact k of F and, if asked for, of J with its η.
-    fn contact(
-        &self,
-        k: usize,
-        [impulse, law_velocity]: [&DVector<f64>; 2],
-        residual: &mut DVector<f64>,
-        slopes: Option<(&mut Vec<Slopes>, f64)>,
-    ) {
-        let (rows, [rho_n, rho_t]) = (self.problem.rows_per_contact(), self.weights[k]);
-        let (normal, mu) = (k * rows, super::cone_friction(self.problem, k));
-        let tangent = |vector: &DVector<f64>, i: usize| if i + 1 < rows { vector[normal + 1 + i] } else { 0.0 };
-        let [r_t, y_t] = [impulse, law_velocity].map(|vector| [tangent(vector, 0), tangent(vector, 1)]);
-        let associated = matches!(self.problem.law(), Law::Associated | Law::PolyhedralAssociated { .. });
-        let lifted = if associated { self.set.against(y_t).map(|share| mu * share) } else { [0.0; 2] };
-        let w = law_velocity[normal] + lifted[0] * y_t[0] + lifted[1] * y_t[1];
-        let a = impulse[normal] - rho_n * w;
-        let presses = a > 0.0;
-        residual[normal] = if presses { rho_n * w } else { impulse[normal] };
-        let radius = self.radius.radius(mu, [impulse[normal], a]);
-        let piece = self.set.piece(radius, [r_t[0] - rho_t * y_t[0], r_t[1] - rho_t * y_t[1]]);
-        // F_t = (I − A) r_t + A ρ_t y_t − g R, without the difference of two numbers as large as r_t where the contact sticks
-        for i in 0..rows - 1 {
-            let moved = |j: usize| piece.stays(i, j) * r_t[j] + piece.along[i][j] * rho_t * y_t[j];
-            residual[normal + 1 + i] = (0..rows - 1).map(moved).sum::<f64>() - piece.growth[i] * radius;
-        }
-        if let Some((slopes, proximal)) = slopes {
-            slopes.push(self.slopes(k, presses, lifted, &piece, proximal));
-        }
-    }
-
-    /// A_k and B_k: what the rows of contact k ask of its own impulse, and of its velocity y.
-    fn slopes(&self, k: usize, presses: bool, lifted: [f64; 2], piece: &Piece, proximal: f64) -> Slopes {
-        let (rows, [rho_n, rho_t]) = (self.problem.rows_per_contact(), self.weights[k]);
-        let mu = super::cone_friction(self.problem, k);
-        let (mut own, mut through) = (Matrix3::identity(), Matrix3::zeros());
-        // ∂w/∂y
-        let slope = [1.0, lifted[0], lifted[1]];
-        own[(0, 0)] = if presses { proximal } else { 1.0 };
-        if presses {
-            (0..rows).for_each(|column| through[(0, column)] = rho_n * slope[column]);
-        }
-        for i in 0..rows - 1 {
-            for j in 0..rows - 1 {
-                let moves = piece.along[i][j];
-                through[(1 + i, 1 + j)] = moves * rho_t;
-                own[(1 + i, 1 + j)] = piece.stays(i, j) + moves * proximal;
-            }
-            if piece.growth[i] != 0.0 {
-                // −g ∂R/∂r
-                let falls = piece.growth[i] * self.radius.falls(mu) * rho_n;
-                (0..rows).for_each(|column| through[(1 + i, column)] += slope[column] * falls);
-                own[(1 + i, 0)] = -piece.growth[i] * mu;
-            }
-        }
-        if self.operator.is_none() {
-            // B R, which a dense operator holds already
-            for column in 0..rows {
-                let softness = self.problem.row_compliance(k * rows + column);
-                (0..rows).for_each(|i| own[(i, column)] += through[(i, column)] * softness);
-            }
-        }
-        Slopes { own, through, inverse: None }
     }
 }
 
@@ -354,7 +197,7 @@ mod tests {
                 let velocity = problem.law_velocity(&impulse);
                 let [dense, blocks] = [&problem, &stored].map(|problem| {
                     let mut systems = NonsmoothNewton::systems(problem);
-                    let mut equations = Equations::new(problem, FrictionEquations::AlartCurnier, systems.as_mut()).unwrap();
+                    let mut equations = Equations::new(problem, FrictionEquations::AlartCurnier, 0, systems.as_mut()).unwrap();
                     let (residual, slopes) = equations.linearise(&impulse, &velocity, 1e-3);
                     equations.direction(&slopes, &-&*residual).unwrap()
                 });
@@ -365,10 +208,38 @@ mod tests {
         }
     }
 
+    /// Near the answer a factor serves again and leaves a part of F; far from it, or with none to serve, it does not.
+    #[test]
+    fn a_factor_serves_again_only_where_the_step_before_left_little() {
+        let problem = by_blocks(&four_corners(Law::Coulomb, 0.5, 1.0));
+        let answer = NonsmoothNewton::default().solve(&problem, None).unwrap().impulse;
+        let norm_at = |impulse: &DVector<f64>| {
+            let mut residual = DVector::zeros(12);
+            let equations = Equations::new(&problem, FrictionEquations::AlartCurnier, 0, None).unwrap();
+            equations.write_residual(impulse, &problem.law_velocity(impulse), &mut residual);
+            residual.norm()
+        };
+        let (mut served, mut left) = (0, 0);
+        for from in (0..8).map(|k| &answer * (1.0 + 10f64.powi(-k))).chain([DVector::zeros(12), -&answer]) {
+            let mut systems = NonsmoothNewton::systems(&problem);
+            for reuses in [0, 1] {
+                let mut equations = Equations::new(&problem, FrictionEquations::AlartCurnier, reuses, systems.as_mut()).unwrap();
+                assert!(equations.step_again(&from).is_none(), "there is no factor yet");
+                let first = equations.step(&from, &problem.law_velocity(&from), tolerance::NONSMOOTH_PROXIMALS[0]).unwrap();
+                let (is_near, again) = (norm_at(&first) <= norm_at(&from) / 64.0, equations.step_again(&first));
+                assert!(again.is_none() || (reuses == 1 && is_near && norm_at(again.as_ref().unwrap()) <= norm_at(&first) / 8.0));
+                served += usize::from(again.is_some());
+                left += usize::from(!is_near);
+                assert!(equations.step_again(&first).is_none(), "one reuse at most");
+            }
+        }
+        assert!(served > 3 && left > 1, "{served} {left}");
+    }
+
     /// The largest difference of the Jacobian of one from the differences of F of the other, and what rounding and curvature leave.
     fn difference(problem: &ContactProblem, slopes_of: FrictionEquations, values_of: FrictionEquations) -> [f64; 2] {
         let (step, eta) = (crate::tolerance::cones::DIFFERENCE_STEP, tolerance::NONSMOOTH_PROXIMALS[0][1]);
-        let [slopes_of, values_of] = [slopes_of, values_of].map(|radius| Equations::new(problem, radius, None).unwrap());
+        let [slopes_of, values_of] = [slopes_of, values_of].map(|radius| Equations::new(problem, radius, 0, None).unwrap());
         // one contact presses and sticks or slides, one is open
         let impulse = DVector::from_vec(vec![0.4, -0.05, 0.02, 0.3, -0.1, -0.1, -0.8, 0.0, 0.0, 0.1, 0.3, 0.2]);
         let slopes = slopes_of.linearise(&impulse, &problem.law_velocity(&impulse), eta).1;

@@ -37,7 +37,8 @@ use nalgebra::{DVector, Matrix3};
 pub struct ProjectedGaussSeidel {
     /// Sweep limit.
     pub sweeps: usize,
-    /// Stops when the certificate's residuals of every contact are at most this times their scale.
+    /// Stops when the certificate's residuals of every contact are at most this times their scale; where it is negative none is measured,
+    /// and plain sweeps answer the last iterate.
     pub tolerance: f64,
     /// How many past sweeps Anderson's acceleration extrapolates from; 0 are plain sweeps.
     pub memory: usize,
@@ -230,7 +231,7 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
         while relative > solver.tolerance && self.sweeps < solver.sweeps && !self.has_stalled(patience) && !super::watch::is_over() {
             let goes_on = self.sweep() && self.look.change.is_finite();
             // a declared number of sweeps is answered as it is
-            if self.sweeps < solver.sweeps && (!goes_on || self.is_due(solver.tolerance)) {
+            if self.sweeps < solver.sweeps && solver.tolerance >= 0.0 && (!goes_on || self.is_due(solver.tolerance)) {
                 relative = self.measure();
             }
             if !goes_on {
@@ -264,7 +265,8 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
 
     /// The residual at the start; r = 0, where a sweep tells at once whether no contact closes, is not measured.
     fn begin(&mut self, solver: &ProjectedGaussSeidel) -> f64 {
-        if solver.sweeps > 0 && self.point.x.iter().all(|r| *r == 0.0) { f64::INFINITY } else { self.measure() }
+        let is_zero = || self.point.x.iter().all(|r| *r == 0.0);
+        if solver.tolerance < 0.0 || (solver.sweeps > 0 && is_zero()) { f64::INFINITY } else { self.measure() }
     }
 
     fn has_stalled(&self, patience: usize) -> bool {
@@ -369,6 +371,21 @@ mod tests {
         // r = r_n (1, −½), r·u = 0: r_n = (0.8 + 0.3)/1.25 = 0.88, u = (0.08, 0.16)
         assert!((sliding.impulse[0] - 0.88).abs() <= 4.0 * f64::EPSILON);
         assert!((sliding.velocity[0] - 0.5 * sliding.velocity[1]).abs() <= 4.0 * f64::EPSILON);
+    }
+
+    #[test]
+    fn sweeps_without_a_tolerance_are_the_same_and_none_is_measured() {
+        let problem = crate::solvers::test_problems::four_corners(Law::Coulomb, 0.5, 1.0);
+        let interrupt = crate::solvers::watch::Interrupt::default();
+        let seen = |tolerance: f64| {
+            let solver = ProjectedGaussSeidel { sweeps: 5, tolerance, memory: 0 };
+            crate::solvers::watch::watched(&interrupt, || solver.solve(&problem, Some(&DVector::from_element(12, 0.1))).unwrap())
+        };
+        let ((unmeasured, none), (measured, some)) = (seen(-1.0), seen(0.0));
+        // a measurement computes y afresh
+        let rounding = moreau_exact::tolerance::rounding(12 * 5, measured.impulse.amax());
+        assert!((&unmeasured.impulse - &measured.impulse).amax() <= rounding && unmeasured.iterations == 5);
+        assert!(none.history.is_empty() && !some.history.is_empty());
     }
 
     #[test]

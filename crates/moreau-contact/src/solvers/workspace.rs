@@ -8,6 +8,7 @@ use super::parts::resize;
 use crate::certificate::Judge;
 use crate::memory::spare::{self, Spare};
 use crate::problem::{ContactProblem, Solution};
+use crate::tolerance::certificate::{HIDDEN, JAMMED};
 use crate::tolerance::solvers::KEPT;
 use nalgebra::DVector;
 use std::cell::RefCell;
@@ -37,10 +38,34 @@ impl Workspace {
         self.answer.impulse.as_mut_slice()
     }
 
+    /// Computes the velocities of what is proposed, and tells whether a contact closes so fast that no scale of the certificate excuses it.
+    ///
+    /// ```text
+    ///     y_n < −(10⁻⁵ + 10³ τ) V   ⟹   relative residual > τ ,       V = max |q| ,  q = u_free + shift
+    /// ```
+    /// For w ≤ y_n under every law with a round cone, s_n ≤ 10³ ρ_n V_I and floor ≤ 10⁻⁵ V_I, V_I = max |q| of the island, where q is not
+    /// zero.
+    pub fn closes(&mut self, problem: &ContactProblem, tolerance: f64) -> bool {
+        let Workspace { answer, .. } = self;
+        problem.write_velocity(answer.impulse.as_slice(), answer.velocity.as_mut_slice());
+        let (rows, shift) = (problem.rows_per_contact(), problem.shift());
+        let data = || problem.free_velocity().iter().zip(shift).map(|(free, shift)| (free + shift).abs());
+        let most = (HIDDEN + JAMMED * tolerance) * data().fold(0.0, f64::max);
+        let is_given = |k: usize| data().skip(k * rows).take(rows).any(|q| q > 0.0);
+        let normal = |row: usize| answer.velocity[row] + shift[row] + problem.row_compliance(row) * answer.impulse[row];
+        problem.law().directions().is_none() && (0..problem.contacts()).any(|k| normal(k * rows) < -most && is_given(k))
+    }
+
     /// The largest relative residual of what is proposed, whose velocities are computed; infinite where it is not a number.
     pub fn relative(&mut self, problem: &ContactProblem) -> f64 {
-        let Workspace { judge, answer, .. } = self;
+        let Workspace { answer, .. } = self;
         problem.write_velocity(answer.impulse.as_slice(), answer.velocity.as_mut_slice());
+        self.relative_as_it_is(problem)
+    }
+
+    /// [`Workspace::relative`] with velocities that are computed already.
+    pub fn relative_as_it_is(&mut self, problem: &ContactProblem) -> f64 {
+        let Workspace { judge, answer, .. } = self;
         let judged = judge.judge(problem, answer).map_or(f64::INFINITY, |judged| judged.relative());
         if judged.is_nan() { f64::INFINITY } else { judged }
     }
@@ -118,6 +143,31 @@ mod tests {
                 assert_eq!((found == 0.0, answer.velocity), (part == 1.0, DVector::from_element(n, part - 1.0)));
             }
         }
+    }
+
+    /// Two contacts that push against each other, so that the rounding of y grows with their impulses, and a third that opens at 1 m/s.
+    #[test]
+    fn what_closes_is_no_solution_at_any_scale() {
+        let normal = [[1.0, -1.0, 0.25], [-1.0, 1.0, -0.25], [0.25, -0.25, 1.0]];
+        let (mut closes, mut answers) = (0, 0);
+        for law in [crate::problem::Law::Coulomb, crate::problem::Law::Associated] {
+            for (push, miss) in (0..16).flat_map(|size| (0..12).map(move |part| (10f64.powi(size - 2), 10f64.powi(-part)))) {
+                let w = DMatrix::from_fn(6, 6, |row, column| match [row % 2, column % 2] {
+                    [0, 0] => normal[row / 2][column / 2],
+                    _ => f64::from(u8::from(row == column)),
+                });
+                let free = DVector::from_vec(vec![-miss, 0.0, -miss, 0.0, 1.0, 0.0]);
+                let problem = ContactProblem::new(w, free).law(law).rows_per_contact(2).friction(vec![0.5; 3]).build().unwrap();
+                let mut memory = borrow(&problem);
+                memory.propose(&[push, 0.0, push, 0.0, 0.0, 0.0]);
+                let is_closing = memory.closes(&problem, 1e-10);
+                let relative = memory.relative_as_it_is(&problem);
+                assert!(!is_closing || relative > 1e-10, "{law:?} {push:e} {miss:e}: {relative:e}");
+                closes += usize::from(is_closing);
+                answers += usize::from(relative <= 1e-10);
+            }
+        }
+        assert!(closes > 40 && answers > 40, "{closes} {answers}");
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! The default solver, which tries several algorithms in turn.
 
 mod fewer_contacts;
+mod kept;
 mod smoothing;
 mod stages;
 
@@ -22,7 +23,7 @@ use stages::{QUICK, THOROUGH, left_out};
 /// | for | algorithm |
 /// |---|---|
 /// | many contacts, or a few at which all else failed | each island of contacts that meet by itself |
-/// | a warm start of many contacts that is no solution any more | a few steps of nonsmooth Newton from it |
+/// | a warm start of many contacts that is no solution any more | a few plain sweeps where they close, a few steps of Newton from there |
 /// | up to 12 contacts without friction | Newton-min or Lemke's path on the stack |
 /// | up to 12 contacts under Coulomb's law | a few sweeps and Newton, on the stack |
 /// | soft contacts | Newton on Gauss's principle |
@@ -207,7 +208,8 @@ fn at_once(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Go
     let kept = warm_start?;
     let mut memory = workspace::borrow(problem);
     memory.propose(kept.as_slice());
-    (memory.relative(problem) <= goal.enough).then(|| memory.answered(NAME, 0))
+    let is_answer = !memory.closes(problem, goal.enough) && memory.relative_as_it_is(problem) <= goal.enough;
+    is_answer.then(|| memory.answered(NAME, 0))
 }
 
 /// The answers to all islands, if there are several and one has an answer; no other algorithm does better, for they do not move each other.
@@ -282,7 +284,7 @@ fn stages_in_turn(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, g
     let judge = &mut memory.judge;
     judge.prepare(problem);
     let mut best: Option<(f64, Solution)> = None;
-    if let Some(solution) = warm_start.and_then(|kept| stages::from_kept(problem, kept, goal.stop)) {
+    if let Some(solution) = warm_start.and_then(|kept| kept::solve(problem, kept, goal.stop)) {
         // most contacts do what they did in the step before; where they do not, it is as if nothing had been tried
         let relative = judge.judge_prepared(problem, &solution)?.relative();
         iterations += solution.iterations;

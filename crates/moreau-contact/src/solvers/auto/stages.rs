@@ -127,12 +127,6 @@ fn has_blocks(problem: &ContactProblem) -> bool {
     is_iterated(problem) && problem.delassus().blocks().is_some()
 }
 
-/// A few steps of Newton's method from what is kept of the step before; where contacts are few, sweeps end it to the last bit.
-pub(super) fn from_kept(problem: &ContactProblem, kept: &DVector<f64>, stop: f64) -> Option<Solution> {
-    let is_tried = problem.contacts() >= tolerance::FEWEST_IN_ISLANDS && is_iterated(problem);
-    is_tried.then(|| short_newton(problem, Some(kept), stop).ok()).flatten()
-}
-
 /// A few steps of Newton's method, which end most problems; where they do not, others lead it.
 fn short_newton(problem: &ContactProblem, start: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
     NonsmoothNewton { steps: tolerance::SHORT_STEPS, starts: 1, tolerance: stop, ..Default::default() }.solve(problem, start)
