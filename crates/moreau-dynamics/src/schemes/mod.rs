@@ -9,6 +9,7 @@ use moreau_exact::Result;
 
 pub mod anitescu;
 pub mod assembly;
+mod carried;
 mod certified;
 mod context;
 pub mod euler;
@@ -27,6 +28,7 @@ pub mod variational;
 pub mod waist;
 
 pub use anitescu::Anitescu;
+use carried::Carried;
 pub use certified::{Certified, Rejected};
 pub use context::StepContext;
 pub use euler::Euler;
@@ -154,17 +156,17 @@ pub fn run_certified(
     let (start, name) = (initial.time, scheme.name());
     finite::finite(&name, mechanism, 0, &initial)?;
     let mut state = initial;
-    let mut previous = Vec::new();
+    let mut carried = Carried::default();
     let mut remembering: Option<Box<dyn Scheme>> = None;
     for k in 1..=steps {
         let current = remembering.as_deref().unwrap_or(scheme);
-        let mut made = certified_step(current, solver, &Start { mechanism, state: &state, h, previous: &previous })?;
+        let mut made = certified_step(current, solver, &Start { mechanism, state: &state, h, previous: carried.impulses() })?;
         let successor = current.successor(mechanism, &state, &made, h)?;
         remembering = successor.or(remembering);
         made.state.time = start + k as f64 * h;
         finite::finite(&name, mechanism, k, &made.state)?;
         observe(&made)?;
-        (state, previous) = made.follow(state, previous);
+        state = made.follow(state, &mut carried);
     }
     Ok(state)
 }

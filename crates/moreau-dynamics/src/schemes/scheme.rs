@@ -1,5 +1,6 @@
 //! What a scheme is: one step of a state; and what a scheme is whose step is one contact problem.
 
+use super::carried::Carried;
 use super::certified::{Certified, Rejected};
 use super::context::StepContext;
 use crate::mechanics::{Mechanism, State};
@@ -30,7 +31,7 @@ pub struct Start<'a> {
     pub state: &'a State,
     /// The size of the step \[s\].
     pub h: f64,
-    /// The impulses of the step before, to start from; empty at the first one.
+    /// The impulses of the step before, or what they were in the mean of the last ones, to start from; empty at the first one.
     pub previous: &'a [ContactImpulse],
 }
 
@@ -93,8 +94,9 @@ impl Step {
         Judgement::of(self.residual, truncated)
     }
 
-    /// The state and the impulses of the step, for the next one to start from; it may take the memory of all else, and of those before.
-    pub(super) fn follow(self, state: State, previous: Vec<ContactImpulse>) -> (State, Vec<ContactImpulse>) {
+    /// The state after the step, for the next one to start from, and its impulses for what is carried; the next step may take the memory of
+    /// all else, and of the state before.
+    pub(super) fn follow(self, state: State, carried: &mut Carried) -> State {
         let Step { state: next, impulses, assembled, solution, .. } = self;
         assembled.leave();
         if let Some(solution) = solution {
@@ -102,8 +104,8 @@ impl Step {
         }
         state.position.leave();
         state.velocity.leave();
-        previous.leave();
-        (next, impulses)
+        carried.follow(impulses);
+        next
     }
 }
 

@@ -135,19 +135,22 @@ fn finish(parts: &Parts, at: &StepContext, assembled: StepProblem) -> Result<Ste
 
 /// The previous impulses of the contacts that are active now, zero for the others \[N·s\].
 pub fn carry_over(previous: &[ContactImpulse], active: &[usize], places: &[Option<Place>], rows: usize) -> DVector<f64> {
-    let mut start = spare::zeros(rows * active.len());
-    // both lists are in nearly the same order: each contact is looked for behind the one before
-    let mut next = 0;
+    let (mut start, mut next) = (spare::zeros(rows * active.len()), 0);
     for (k, (contact, place)) in active.iter().zip(places).enumerate() {
-        let (behind, ahead) = previous.split_at(next);
-        let found = ahead.iter().chain(behind).position(|known| known.acts_at(*contact, place.as_ref()));
-        if let Some(ahead) = found {
-            let at = (next + ahead) % previous.len();
+        if let Some(at) = place_of(previous, &mut next, *contact, place.as_ref()) {
             start.rows_mut(k * rows, rows).copy_from_slice(&previous[at].impulse);
-            next = at + 1;
         }
     }
     start
+}
+
+/// Where this contact stands in a list that has nearly the same order: it is looked for from `next` on, behind the one that was found last.
+pub(super) fn place_of(list: &[ContactImpulse], next: &mut usize, contact: usize, place: Option<&Place>) -> Option<usize> {
+    let (behind, ahead) = list.split_at(*next);
+    let ahead = ahead.iter().chain(behind).position(|known| known.acts_at(contact, place))?;
+    let at = (*next + ahead) % list.len();
+    *next = at + 1;
+    Some(at)
 }
 
 #[cfg(test)]

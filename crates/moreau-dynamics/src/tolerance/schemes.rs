@@ -42,3 +42,8 @@ pub fn released_speed(h: f64) -> f64 {
 pub fn ball_position(position: f64, speed: f64, fall: f64, h: f64) -> f64 {
     rounding(8, position + h * (2.0 * speed + fall)) + h * ball_velocity(speed, fall)
 }
+
+/// Part of the largest impulse, 2⁻²⁰, by which one may differ from the one that steps before kept to count as the same load. What kept
+/// impulses leave is below 10⁻¹⁰ of them, and a load that changes differs by more than a millionth.
+/// Set.
+pub const SAME_LOAD: f64 = 1.0 / 1_048_576.0;
