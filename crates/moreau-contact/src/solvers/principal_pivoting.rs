@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!     Murty         the row of least index with a negative number changes sides                        M a P-matrix
-//!     parametric    0 ≤ z ⟂ M z + q + t 1 ≥ 0 is kept, from large t to t = 0: where a number reaches
+//!     parametric    0 ≤ z ⟂ M z + q + t d ≥ 0 is kept, d > 0, from large t to t = 0: where a number reaches
 //!                   zero its row changes sides, or it and a second row do              M positive semidefinite, or a P-matrix
 //! ```
 //! A P-matrix has positive diagonals in all its principal transforms, a positive semidefinite one none that is negative. What shows
@@ -13,7 +13,7 @@ use super::linear_form::Form;
 use super::principal_tableau::PrincipalTableau;
 use super::{ContactSolver, on_support};
 use crate::problem::{ContactProblem, Law, Lcp, Solution};
-use crate::tolerance::complementarity::{PRINCIPAL_PIVOTS, negligible};
+use crate::tolerance::complementarity::{COVERING_MODULUS, PIVOTS_AT_ONE_PARAMETER, PRINCIPAL_PIVOTS, negligible};
 use moreau_exact::scalar::Scalar;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -100,12 +100,21 @@ impl ParametricPivoting {
     /// [`Error::Solver`] that refuses a matrix that is neither positive semidefinite nor a P-matrix, with the row that shows it, or after
     /// the limit of pivots.
     pub fn basis<T: Scalar>(&self, lcp: &Lcp<T>) -> Result<PrincipalOutcome> {
-        let (size, ones) = (lcp.size(), DVector::from_element(lcp.size(), T::one()));
-        let mut tableau = PrincipalTableau::new(lcp, &[ones]);
+        let size = lcp.size();
+        let (mut tableau, mut tried) = (PrincipalTableau::new(lcp, &[covering(size, 0)]), 0);
+        let (mut least, mut since): (Option<T>, usize) = (None, 0);
         for pivots in 0..=self.pivots {
             let Some((s, parameter)) = next(&tableau) else { return Ok(PrincipalOutcome::Basis(tableau.support(), pivots)) };
             if super::watch::is_over() {
                 return Err(Error::limit(PARAMETRIC, format!("was ended after {pivots} pivots")));
+            }
+            let falls = least.as_ref().is_none_or(|least| parameter < *least);
+            (least, since) = if falls { (Some(parameter.clone()), 0) } else { (least, since + 1) };
+            if since > PIVOTS_AT_ONE_PARAMETER * size {
+                tried += 1;
+                tableau = PrincipalTableau::new(lcp, &[covering(size, tried)]);
+                (least, since) = (None, 0);
+                continue;
             }
             let (row, diagonal) = (tableau.basic[s] % size, tableau.matrix[(s, s)].clone());
             let not_of_class = || refused(PARAMETRIC, row, "positive semidefinite, nor a P-matrix");
@@ -125,6 +134,13 @@ impl ParametricPivoting {
         }
         Err(Error::limit(PARAMETRIC, format!("made {} pivots; use `lemke`", self.pivots)))
     }
+}
+
+/// The vector d that t is multiplied with: of ones, or of numbers between 1 and 2 that have no pattern. Where several numbers vanish at once
+/// pivots may go round in a circle, at the same t; with other numbers others vanish at once.
+fn covering<T: Scalar>(size: usize, tried: i64) -> DVector<T> {
+    let number = |i: i64| T::ratio(i * i % COVERING_MODULUS * tried % COVERING_MODULUS, COVERING_MODULUS);
+    DVector::from_fn(size, |i, _| T::one() + number(i as i64 + 2))
 }
 
 const MURTY: &str = "murty";

@@ -64,6 +64,20 @@ fn contacts_without_friction_are_solved_by_each_and_friction_is_refused() {
     }
 }
 
+/// With d = 1 the pivots on this positive semidefinite matrix of rank one and its skew part go round in a circle: three numbers vanish at once.
+#[test]
+fn pivots_that_go_round_in_a_circle_begin_anew_with_other_numbers() {
+    let entries = [1, 2, 0, 1, 0, 1, -2, 1, 0, 2, 0, -1, -1, -1, 1, 0];
+    let lcp = rationals(4, &entries, &[-3, -1, -1, 1]);
+    match (ParametricPivoting { pivots: 200 }).basis(&lcp).unwrap() {
+        PrincipalOutcome::Basis(support, pivots) => {
+            assert!(residuals(&lcp, &of_support(&lcp, &support)).vanish());
+            assert!(pivots > 16, "{pivots}: it did not go round");
+        }
+        PrincipalOutcome::Infeasible(_) => assert!(infeasible(&lcp).is_some()),
+    }
+}
+
 proptest! {
     #[test]
     fn both_end_at_the_solution_of_a_p_matrix(

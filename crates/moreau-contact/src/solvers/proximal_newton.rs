@@ -7,7 +7,7 @@
 //! runs away along the null space of W, and Newton's method ends it in a few steps where α is large. The smaller α is the fewer points are
 //! needed. So α falls to a quarter where Newton's steps were few, and is four times as large where they did not end; the point then stays
 //! where it is. Where W ⪰ 0 and the law is convex the points converge for every α; for Coulomb's law nothing is promised, and the best
-//! point by the certificate's residual is returned.
+//! point by the certificate's residual is returned. Where the points creep they leap ([`creep`](super::creep)).
 //!
 //! # Source
 //! Rockafellar, *Monotone operators and the proximal point algorithm*, SIAM J. Control Optim. 14 (1976); Acary, Brémond and Huber, *On

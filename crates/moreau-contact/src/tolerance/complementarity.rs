@@ -61,6 +61,14 @@ pub const SEARCHED_ROWS: usize = 40;
 /// Set.
 pub const PRINCIPAL_PIVOTS: usize = 1 << 16;
 
+/// Pivots for each row at which the parameter of parametric pivoting does not fall, after which they count as going round in a circle.
+/// Set.
+pub const PIVOTS_AT_ONE_PARAMETER: usize = 4;
+
+/// A prime: i² k modulo it, for i up to half of it, are different numbers without a pattern.
+/// Set.
+pub const COVERING_MODULUS: i64 = 10_007;
+
 /// Steps of Newton-min in a row without fewer negative numbers than ever, before one row at a time changes sides: ten, as Júdice and Pires
 /// choose. Only the number of steps depends on it.
 /// Set.

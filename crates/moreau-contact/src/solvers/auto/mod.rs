@@ -36,6 +36,7 @@ use stages::{QUICK, THOROUGH, left_out};
 /// | no friction, up to 1 000 contacts | parametric principal pivots |
 /// | all but a compliance on edges, where that was not good enough | proximal points around Newton, from zero |
 /// | second-order cones; W stored by blocks, or not too many contacts | Fischer and Burmeister's equations, and Newton |
+/// | second-order cones, the fewer contacts the longer | proximal points that creep and leap, and Newton |
 /// | W stored by blocks | Newton from zero |
 /// | one row, the plane, polyhedral laws, no friction; up to five times as many contacts as further down | Lemke |
 /// | the same without the polyhedral associated law in space | more accelerated sweeps, and Newton |

@@ -12,7 +12,7 @@ use super::super::{
 use super::{fewer_contacts, smoothing};
 use crate::certificate::Judge;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
-use crate::tolerance::newton::{NEAR, NEAR_PROXIMAL, PATIENCE, PATIENT_STEPS, STEPS_AFTER_INTERIOR, STEPS_IN_AUTO};
+use crate::tolerance::newton::{NEAR, NEAR_PROXIMAL, PATIENCE, PATIENT_STEPS, PATIENT_WORK, STEPS_AFTER_INTERIOR, STEPS_IN_AUTO};
 use crate::tolerance::solvers::{self as tolerance, ENOUGH};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -41,13 +41,13 @@ pub(super) const QUICK: &[(Takes, Stage)] = &[
 pub(super) const THOROUGH: &[(Takes, Stage)] = &[
     (is_iterated, |problem, _, stop| ProximalNewton { steps: STEPS_IN_AUTO, tolerance: stop, ..Default::default() }.solve(problem, None)),
     (is_smoothed, |problem, _, stop| smoothing::solve(problem, stop)),
+    (has_second_order_cone, patient_points),
     (has_blocks, |problem, _, stop| newton(problem, None, stop)),
     (is_pivoted_soon, |problem, _, _| LemkePivoting.solve(problem, None)),
     (is_swept, more_sweeps),
     (is_swept, newton),
     (is_iterated, |problem, _, stop| newton(problem, None, stop)),
     (is_iterated, through_softness),
-    (has_second_order_cone, patient_points),
     (has_second_order_cone, |problem, start, stop| {
         ProjectedGaussSeidel { sweeps: tolerance::PLAIN_SWEEPS, tolerance: stop, ..Default::default() }.solve(problem, start)
     }),
@@ -252,10 +252,10 @@ fn through_sweeps(problem: &ContactProblem, start: Option<&DVector<f64>>, stop: 
     Ok(Solution { iterations: begun.iterations + ended.iterations, ..ended })
 }
 
-/// Many proximal points, which creep and leap to where a contact opens or sticks that nothing else tells.
+/// Many proximal points, which creep and leap to where a contact opens or sticks that nothing else tells, and Newton for the last digits.
 fn patient_points(problem: &ContactProblem, _: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
-    let near = stop.max(tolerance::ACCEPTABLE / 2.0);
-    let points = ProximalNewton { steps: PATIENT_STEPS, patience: PATIENCE, tolerance: near, ..Default::default() }.solve(problem, None)?;
+    let (steps, near) = (PATIENT_STEPS.min(PATIENT_WORK / problem.contacts()), stop.max(tolerance::ACCEPTABLE / 2.0));
+    let points = ProximalNewton { steps, patience: PATIENCE, tolerance: near, ..Default::default() }.solve(problem, None)?;
     let ended = short_newton(problem, Some(&points.impulse), stop)?;
     Ok(Solution { iterations: points.iterations + ended.iterations, ..ended })
 }
