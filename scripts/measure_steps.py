@@ -3,6 +3,7 @@
 
 Tumbling boxes: each scene is one random box of 1 kg thrown onto a rough floor, its seed is its name.
 One row per scheme with the solver auto, and per solver of Coulomb's law with moreau-jean.
+Thrown piles: five or eight boxes or plates that fall on each other, moreau-jean with auto.
 Heavy on light: a box of 1 … 10⁸ kg rests or lands on a box of 1 kg, per solver with moreau-jean.
 A run gained if its energy, measured from the floor, grew in one step by more than 0.1 % of the
 initial energy, and ended higher if it ended with more than it began with.  Seconds are processor
@@ -22,7 +23,7 @@ SCRIPTS = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(SCRIPTS))
 
 from steps.runs import TIME_STEP, parallel, simulate, tally, verdict  # noqa: E402
-from steps.scenes import HALF, heavy_on_light, tumbling_box, write_scenes  # noqa: E402
+from steps.scenes import HALF, heavy_on_light, thrown_pile, tumbling_box, write_scenes  # noqa: E402
 from steps.tables import refused, report, show  # noqa: E402
 
 ROOT = SCRIPTS.parent
@@ -30,7 +31,7 @@ EPILOG = """examples:
   python3 scripts/measure_steps.py
   python3 scripts/measure_steps.py --boxes 20 --schemes moreau-jean,stewart-trinkle --solvers auto
   python3 scripts/measure_steps.py --before old/moreau --markdown --json steps.json
-  python3 scripts/measure_steps.py --boxes 1 --seed 17 --ratios none --keep scenes
+  python3 scripts/measure_steps.py --boxes 1 --piles 0 --seed 17 --ratios none --keep scenes
 
 exit status:
   0  nothing panics; with auto every step is accepted in time (a scheme may say that it cannot go on:
@@ -48,17 +49,22 @@ SINK_LIMIT = 0.01  # [m]
 
 
 def measure_boxes(options, folder):
-    """[{scheme, solver, binary: tally}] over the tumbling boxes."""
-    files = write_scenes(folder, {options.seed + k: tumbling_box(options.seed + k)
-                                  for k in range(options.boxes)})
+    """The rows of the tumbling boxes, and those of the thrown piles."""
     rows = [(scheme, "auto") for scheme in options.schemes]
     rows += [("moreau-jean", solver) for solver in options.solvers if ("moreau-jean", solver) not in rows]
-    result = []
+    boxes = measure(options, folder, tumbling_box, options.boxes, rows)
+    piles = measure(options, folder, thrown_pile, options.piles, [("moreau-jean", "auto")])
+    return boxes, [{**row, "motion": "pile"} for row in piles]
+
+
+def measure(options, folder, scene, number, rows):
+    """[{scheme, solver, binary: tally}] of these rows over so many scenes."""
+    files, result = write_scenes(folder, {options.seed + k: scene(options.seed + k) for k in range(number)}), []
     for scheme, solver in rows if files else []:
         row = {"scheme": scheme, "solver": solver}
         for name, (binary, known) in options.binaries.items():
             if scheme in known["schemes"] and solver in known["solvers"]:
-                print(f"{scheme} {solver} {name}", file=sys.stderr, flush=True)
+                print(f"{scene.__name__} {scheme} {solver} {name}", file=sys.stderr, flush=True)
                 row[name] = tally(parallel(options.jobs, files, lambda file: simulate(
                     binary, file, scheme, solver, options.limit)))
         result.append(row)
@@ -86,10 +92,10 @@ def measure_heavy(options, folder):
 def earlier(parser, options):
     """The rows of an earlier measurement of the same scenes, by what they measured."""
     document = json.loads(options.before.read_text())
-    same = {"seed": options.seed, "boxes": options.boxes, "limit": options.limit, "time_step": TIME_STEP}
+    same = {"seed": options.seed, "boxes": options.boxes, "piles": options.piles, "limit": options.limit, "time_step": TIME_STEP}
     for name in [name for name, value in same.items() if document.get(name) != value]:
         parser.error(f"{options.before} was measured with another {name}: {document.get(name)}, not {same[name]}")
-    return {identity(row): row["after"] for row in document["tumbling"] + document["heavy_on_light"] if "after" in row}
+    return {identity(row): row["after"] for row in document["tumbling"] + document["thrown_piles"] + document["heavy_on_light"] if "after" in row}
 
 
 def identity(row):
@@ -102,7 +108,7 @@ def shortcomings(boxes, heavy, name="after"):
     for row in [row for row in boxes if name in row and not refused(row[name])]:
         strict, auto = (row["scheme"], row["solver"]) == ("moreau-jean", "auto"), row["solver"] == "auto"
         for run in row[name]["bad"]:
-            where = f"{row['scheme']} {row['solver']} seed {run['seed']}"
+            where = f"{'pile, ' if 'motion' in row else ''}{row['scheme']} {row['solver']} seed {run['seed']}"
             failed = run["failed"]
             if failed and (strict or failed.startswith(("panic", "signal")) or auto and not failed.startswith("exit code 2")):
                 result.append(f"{where}: {failed}")
@@ -148,7 +154,8 @@ def parse(arguments):
     add("--before", type=pathlib.Path, metavar="BINARY|FILE",
         help="an older program, or what --json wrote of it (.json), shown beside it")
     add("--boxes", type=int, default=100, metavar="N", help="tumbling boxes (100; 0: none)")
-    add("--seed", type=int, default=0, help="seed of the first box, the others count on (0)")
+    add("--piles", type=int, default=10, metavar="N", help="thrown piles (10; 0: none)")
+    add("--seed", type=int, default=0, help="seed of the first box and pile, the others count on (0)")
     add("--schemes", type=words, metavar="A,B", help="all that the program lists, or none")
     add("--solvers", type=words, metavar="A,B", help=f"with moreau-jean, or none ({','.join(COULOMB)})")
     add("--ratios", type=numbers, default=RATIOS, metavar="R,S", help="of heavy on light, or none (1 … 1e8)")
@@ -164,8 +171,8 @@ def parse(arguments):
     for kind in ("schemes", "solvers"):
         for name in [name for name in getattr(options, kind) if name not in known[kind]]:
             parser.error(f"{options.moreau} has no {name} among its {kind}: {', '.join(known[kind])}")
-    if options.boxes < 0 or options.jobs < 1 or options.limit < 1 or any(not r > 0 for r in options.ratios):
-        parser.error("--boxes must be at least 0, --jobs and --limit at least 1, --ratios above 0")
+    if options.boxes < 0 or options.piles < 0 or options.jobs < 1 or options.limit < 1 or any(not r > 0 for r in options.ratios):
+        parser.error("--boxes and --piles must be at least 0, --jobs and --limit at least 1, --ratios above 0")
     stored = options.before is not None and options.before.suffix == ".json"
     options.earlier = earlier(parser, options) if stored else {}
     runs_too = {"before": options.before} if options.before and not stored else {}
@@ -180,17 +187,17 @@ def main(arguments=None):
     with tempfile.TemporaryDirectory() as folder:
         folder = options.keep or pathlib.Path(folder)
         folder.mkdir(parents=True, exist_ok=True)
-        boxes, heavy = measure_boxes(options, folder), measure_heavy(options, folder)
-    for row in boxes + heavy:
+        (boxes, piles), heavy = measure_boxes(options, folder), measure_heavy(options, folder)
+    for row in boxes + piles + heavy:
         row.update({"before": options.earlier[identity(row)]} if identity(row) in options.earlier else {})
     names = ["before", "after"] if options.before else ["after"]
-    reasons = shortcomings(boxes, heavy)
-    print("\n".join(report(boxes, heavy, names, options.markdown)))
+    reasons = shortcomings(boxes + piles, heavy)
+    print("\n".join(report(boxes, piles, heavy, names, options.markdown)))
     print("\n" + "\n".join([f"wrong: {reason}" for reason in reasons] or ["nothing wrong"]))
     if options.json:
         options.json.write_text(json.dumps({
-            "seed": options.seed, "boxes": options.boxes, "limit": options.limit, "time_step": TIME_STEP, "tumbling": boxes,
-            "heavy_on_light": heavy, "wrong": reasons}, indent=1) + "\n")
+            "seed": options.seed, "boxes": options.boxes, "piles": options.piles, "limit": options.limit,
+            "time_step": TIME_STEP, "tumbling": boxes, "thrown_piles": piles, "heavy_on_light": heavy, "wrong": reasons}, indent=1) + "\n")
     return 1 if reasons else 0
 
 

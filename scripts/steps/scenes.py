@@ -1,4 +1,4 @@
-"""Scenes scene/1 of the measurement of steps: tumbling boxes, and a heavy box on a light one."""
+"""Scenes scene/1 of the measurement of steps: tumbling boxes, thrown piles, and a heavy box on a light one."""
 
 import json
 import math
@@ -32,6 +32,18 @@ def tumbling_box(seed):
             "linear_velocity": [speed * x for x in direction(dice, 3)],
             "angular_velocity": [spin * x for x in direction(dice, 3)]}
     return scene(f"box-{seed}", [body], 1.5, dice.uniform(0, 1), dice.choice((0.2, 0.4, 0.6, 0.8)))
+
+
+def thrown_pile(seed):
+    """Five or eight turning boxes or plates that fall on each other; the seed alone decides everything."""
+    dice = random.Random(f"thrown pile {seed}")
+    plates, bodies = dice.random() < 0.5, []
+    for k in range(dice.choice((5, 8))):
+        extents = [0.2, 0.2, 0.03] if plates else [dice.uniform(0.05, 0.2) for _ in range(3)]
+        bodies.append({"name": f"body {k}", "mass": dice.choice((1.0, dice.uniform(0.2, 5))), "box": {"half_extents": extents},
+                       "position": [dice.uniform(-0.05, 0.05), dice.uniform(-0.05, 0.05), 0.3 + 0.3 * k],
+                       "angular_velocity": [dice.uniform(-3, 3) for _ in range(3)]})
+    return scene(f"pile-{seed}", bodies, 1.5, dice.choice((0.2, 0.5, 0.8, 1.2)), dice.choice((0.0, 0.2, 0.5)))
 
 
 def heavy_on_light(ratio, lands):

@@ -34,16 +34,18 @@ def side_by_side(rows, keys, measures, names):
                    for row in rows]
 
 
-def report(boxes, heavy, names, markdown):
+def report(boxes, piles, heavy, names, markdown):
     """All tables and the list of runs that went wrong."""
     taken = [row for row in boxes if not all(refused(row[name]) for name in names if name in row)]
-    lines = table("Tumbling boxes", *side_by_side(taken, ("scheme", "solver"), (
-        "runs", "gained", "higher", "rejected", "unconverged", "failed", "residual", "seconds"), names), markdown)
+    lines = []
+    for title, rows in (("Tumbling boxes", taken), ("Thrown piles", piles)):
+        lines += table(title, *side_by_side(rows, ("scheme", "solver"), (
+            "runs", "gained", "higher", "rejected", "unconverged", "failed", "residual", "seconds"), names), markdown)
     lines += table("Heavy on light", *side_by_side(heavy, ("motion", "ratio", "solver"), (
         "steps", "depth", "lowest", "seconds"), names), markdown)
     others = [row for row in boxes if row not in taken]
     lines += ["", *(f"- {row['scheme']} takes no such scene: {refused(row[names[-1]])}" for row in others)]
-    for row in taken:
+    for row in taken + piles:
         for name in names:
             reasons = sorted({run["failed"] for run in row.get(name, {"bad": []})["bad"] if run["failed"]})
             lines += [f"- {row['scheme']} {row['solver']} ({name}) fails: {reason}" for reason in reasons]

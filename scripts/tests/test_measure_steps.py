@@ -16,7 +16,7 @@ sys.path.insert(0, str(SCRIPTS))
 
 import measure_steps  # noqa: E402
 from steps.runs import failure, judge, tally, verdict  # noqa: E402
-from steps.scenes import HALF, heavy_on_light, tumbling_box  # noqa: E402
+from steps.scenes import HALF, heavy_on_light, thrown_pile, tumbling_box  # noqa: E402
 from steps.tables import refused, table  # noqa: E402
 
 MOREAU = os.environ.get("MOREAU")
@@ -75,6 +75,13 @@ class Scenes(unittest.TestCase):
             self.assertTrue(0 <= material["friction"] <= 1)
             self.assertIn(material["restitution"], (0.2, 0.4, 0.6, 0.8))
 
+    def test_a_pile_falls_body_above_body(self):
+        self.assertEqual(thrown_pile(7), thrown_pile(7))
+        for seed in range(50):
+            heights = [body["position"][2] for body in thrown_pile(seed)["bodies"]]
+            self.assertIn(len(heights), (5, 8))
+            self.assertEqual(heights, sorted(heights))
+
     def test_the_heavy_box_stands_on_the_light_one_or_above_it(self):
         for lands, gap in ((False, 0.0), (True, 0.02)):
             light, heavy = heavy_on_light(1e5, lands)["bodies"]
@@ -131,7 +138,7 @@ class Program(unittest.TestCase):
         os.environ.update(environment)
         try:
             with contextlib.redirect_stdout(text), contextlib.redirect_stderr(io.StringIO()):
-                status = measure_steps.main(["--moreau", str(self.binary), "--boxes", "3", "--ratios", "1,1e5,1e6",
+                status = measure_steps.main(["--moreau", str(self.binary), "--boxes", "3", "--piles", "2", "--ratios", "1,1e5,1e6",
                                              "--schemes", "moreau-jean", "--solvers", "auto", *words])
         finally:
             os.environ.clear(), os.environ.update(previous)
@@ -142,11 +149,13 @@ class Program(unittest.TestCase):
         self.assertEqual(status, 0, text)
         document = json.loads((self.folder / "out.json").read_text())
         self.assertEqual(document["tumbling"][0]["after"]["runs"], 3)
+        self.assertEqual(document["thrown_piles"][0]["after"]["runs"], 2)
         self.assertEqual(len(document["heavy_on_light"]), 6)
 
     def test_each_planted_mistake_is_exit_status_1_and_named_with_its_seed(self):
         for words, environment, reason in (
                 ((), {"BAD_SCENE": "box-1"}, "moreau-jean auto seed 1: 1 steps rejected"),
+                ((), {"BAD_SCENE": "pile-1"}, "pile, moreau-jean auto seed 1: 1 steps rejected"),
                 ((), {"BAD_SCENE": "heavy-lands-1e+05"}, "heavy lands on light, ratio 1e+05, auto: 1 rejected"),
                 ((), {"CHANGE": "0.1"}, "moreau-jean auto seed 2: ends 1.00e-02"),
                 ((), {"HEIGHT": "0.08"}, "heavy rests on light, ratio 1e+00, auto: a box sinks to 0.08 m"),
@@ -159,7 +168,7 @@ class Program(unittest.TestCase):
     def test_what_is_no_shortcoming_is_exit_status_0(self):
         for words, environment in (
                 ((), {"GAIN": "0.1"}), (("--solvers", "pgs"), {}), (("--schemes", "refuses"), {}),
-                (("--schemes", "chrono", "--solvers", "none"), {"GAIN": "1", "CHANGE": "1"}),
+                (("--schemes", "chrono", "--solvers", "none", "--piles", "0"), {"GAIN": "1", "CHANGE": "1"}),
                 ((), {"BAD_SCENE": "heavy-lands-1e+06"})):
             if words[:1] == ("--solvers",):
                 words += ("--schemes", "none")
