@@ -6,8 +6,8 @@
 //! with P the proximal map, which has the solutions as its fixed points, and P_K the projection on the cone of the law. Where a load can
 //! wander between contacts of the same two bodies while hardly anything slips, point after point moves by nearly the same small step, a
 //! hundred thousand times, until a contact opens or sticks. Then ℓ = 2, 4, 8, …: each point tells by its own step whether the creep goes
-//! on there. It is over where the step is another one, as it is where a leap was too long. Where nothing is found around a centre that was leapt
-//! to, the leap is taken back, and the next one is shorter.
+//! on there. It is over where the step is another one, as it is where a leap was too long. Where nothing is found around a centre that was
+//! leapt to, the leap is taken back, and the next one is shorter.
 //!
 //! The leaps change where the next point is looked for and nothing of what a solution is: a fixed point of P is one however it was found.
 

@@ -136,8 +136,8 @@ impl ParametricPivoting {
     }
 }
 
-/// The vector d that t is multiplied with: of ones, or of numbers between 1 and 2 that have no pattern. Where several numbers vanish at once
-/// pivots may go round in a circle, at the same t; with other numbers others vanish at once.
+/// The vector d that t is multiplied with: of ones, or of numbers between 1 and 2 that have no pattern. Where several numbers vanish at
+/// once pivots may go round in a circle, at the same t; with other numbers others vanish at once.
 fn covering<T: Scalar>(size: usize, tried: i64) -> DVector<T> {
     let number = |i: i64| T::ratio(i * i % COVERING_MODULUS * tried % COVERING_MODULUS, COVERING_MODULUS);
     DVector::from_fn(size, |i, _| T::one() + number(i as i64 + 2))

@@ -64,7 +64,7 @@ fn contacts_without_friction_are_solved_by_each_and_friction_is_refused() {
     }
 }
 
-/// With d = 1 the pivots on this positive semidefinite matrix of rank one and its skew part go round in a circle: three numbers vanish at once.
+/// With d = 1 the pivots on this positive semidefinite matrix of rank one and its skew part go round: three numbers vanish at once.
 #[test]
 fn pivots_that_go_round_in_a_circle_begin_anew_with_other_numbers() {
     let entries = [1, 2, 0, 1, 0, 1, -2, 1, 0, 2, 0, -1, -1, -1, 1, 0];

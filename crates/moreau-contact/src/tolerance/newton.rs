@@ -146,8 +146,8 @@ pub const FEW_ROUNDS: usize = 2;
 /// Set.
 pub const FEW_NEWTON_STEPS: usize = 6;
 
-/// Steps in a row with the factor of an earlier J, from the impulses of the step before: each leaves some 10⁻³ of F in a heap of spheres, so
-/// that four take a millionth to rounding.
+/// Steps in a row with the factor of an earlier J, from the impulses of the step before: each leaves some 10⁻³ of F in a heap of spheres,
+/// so that four take a millionth to rounding.
 /// Set.
 pub const REUSES: usize = 4;
 

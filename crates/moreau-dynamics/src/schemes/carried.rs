@@ -1,7 +1,7 @@
 //! The impulses that a step starts from.
 //!
-//! Impulses of the step before that still solve the problem up to a tolerance are kept. What they leave, δ, moves the bodies a little more in
-//! every step, until they are found anew; and those stop that motion besides carrying the load r*, so that they leave −kδ in the next step,
+//! Impulses of the step before that still solve the problem up to a tolerance are kept. What they leave, δ, moves the bodies a little more
+//! in every step, until they are found anew; and those stop that motion besides carrying the load r*, so that they leave −kδ in the next step,
 //! which is kept in its turn, and again every other step. In the mean of the k kept steps and the one that ends them only the load is left,
 //! for velocities before and after are zero:
 //!
@@ -46,8 +46,8 @@ fn square(impulse: impl Iterator<Item = f64>) -> f64 {
     impulse.map(|r| r * r).sum()
 }
 
-/// How many steps have kept an impulse that was kept for `kept` steps before; where it was found anew under the same load, beside the square
-/// of the largest impulse, it becomes the mean of them all.
+/// How many steps have kept an impulse that was kept for `kept` steps before; where it was found anew under the same load, beside the
+/// square of the largest impulse, it becomes the mean of them all.
 fn follow(start: &[f64], kept: usize, found: &mut [f64], largest: f64) -> usize {
     if found == start {
         return kept + 1;
