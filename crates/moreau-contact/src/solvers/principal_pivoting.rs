@@ -147,7 +147,7 @@ const MURTY: &str = "murty";
 const PARAMETRIC: &str = "parametric-pivoting";
 
 fn refused(solver: &str, row: usize, class: &str) -> Error {
-    Error::refused(solver, format!("row {row} shows that M is not {class}"))
+    Error::refused(solver, format!("a pivot of row {row} has, to its rounding, a sign that shows that M is not {class}"))
 }
 
 /// The place whose number C₀ + t C₁ is the first to vanish as t falls to zero, with that t; the least index of several.
@@ -221,8 +221,10 @@ fn through(
             super::finite(form.solution(problem, &z, name, pivots))
         }
         PrincipalOutcome::Infeasible(row) => {
-            let reason =
-                format!("row {row} stays negative whatever impulses keep the others; if W is positive semidefinite there is no solution");
+            let reason = format!(
+                "row {row} stays negative whatever impulses keep the others, to the rounding of the pivots; \
+                 where W is positive semidefinite that tells of no solution, and proves nothing"
+            );
             Err(Error::ray(name, reason))
         }
     }

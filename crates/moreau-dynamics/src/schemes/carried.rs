@@ -1,8 +1,8 @@
 //! The impulses that a step starts from.
 //!
 //! Impulses of the step before that still solve the problem up to a tolerance are kept. What they leave, δ, moves the bodies a little more
-//! in every step, until they are found anew; and those stop that motion besides carrying the load r*, so that they leave −kδ in the next step,
-//! which is kept in its turn, and again every other step. In the mean of the k kept steps and the one that ends them only the load is left,
+//! in every step, until they are found anew; and those stop that motion besides carrying the load r*, so that they leave −kδ in the next
+//! step, which is kept in its turn, and again every other step. In the mean of the k kept steps and the one that ends them only the load is left,
 //! for velocities before and after are zero:
 //!
 //! ```text
@@ -10,9 +10,8 @@
 //! ```
 //! From there a body at rest keeps its impulses for a long time. Answers are not touched: each is what its solver makes of its start.
 
-use super::waist::place_of;
 use crate::tolerance::schemes::SAME_LOAD;
-use moreau_contact::contact::ContactImpulse;
+use moreau_contact::contact::{ContactImpulse, Place};
 use moreau_contact::memory::spare::{self, Spare};
 
 /// What the next step starts from.
@@ -57,6 +56,15 @@ fn follow(start: &[f64], kept: usize, found: &mut [f64], largest: f64) -> usize 
         found.iter_mut().zip(start).for_each(|(found, start)| *found = start + (*found - start) / steps);
     }
     0
+}
+
+/// Where this contact stands in a list that has nearly the same order: it is looked for from `next` on, behind the one that was found last.
+pub(super) fn place_of(list: &[ContactImpulse], next: &mut usize, contact: usize, place: Option<&Place>) -> Option<usize> {
+    let (behind, ahead) = list.split_at(*next);
+    let ahead = ahead.iter().chain(behind).position(|known| known.acts_at(contact, place))?;
+    let at = (*next + ahead) % list.len();
+    *next = at + 1;
+    Some(at)
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@
 //! solving, certifying, warm starts and the choice of the candidates nearby are the same for all. Which schemes pass and which do not, and
 //! why, is in `docs/waist.md`.
 
+use super::carried::place_of;
 use super::certified::Certified;
 use super::context::StepContext;
 use super::nearby::Nearby;
@@ -142,15 +143,6 @@ pub fn carry_over(previous: &[ContactImpulse], active: &[usize], places: &[Optio
         }
     }
     start
-}
-
-/// Where this contact stands in a list that has nearly the same order: it is looked for from `next` on, behind the one that was found last.
-pub(super) fn place_of(list: &[ContactImpulse], next: &mut usize, contact: usize, place: Option<&Place>) -> Option<usize> {
-    let (behind, ahead) = list.split_at(*next);
-    let ahead = ahead.iter().chain(behind).position(|known| known.acts_at(contact, place))?;
-    let at = (*next + ahead) % list.len();
-    *next = at + 1;
-    Some(at)
 }
 
 #[cfg(test)]
