@@ -1,9 +1,9 @@
 //! The impulses that a step starts from.
 //!
 //! Impulses of the step before that still solve the problem up to a tolerance are kept. What they leave, δ, moves the bodies a little more
-//! in every step, until they are found anew; and those stop that motion besides carrying the load r*, so that they leave −kδ in the next
-//! step, which is kept in its turn, and again every other step. In the mean of the k kept steps and the one that ends them only the load is left,
-//! for velocities before and after are zero:
+//! in every step, until they are found anew; and those stop that motion besides carrying the load r*, so that they leave −kδ in the step
+//! after, which is kept in its turn, and again every other step. In the mean of the k kept steps and the one that ends them only the load
+//! is left, for velocities before and after are zero:
 //!
 //! ```text
 //!     r_kept = r* + δ ,    r = r* − k δ ,    r_kept + (r − r_kept)/(k + 1) = r*
