@@ -58,12 +58,10 @@ impl Creep {
 
     /// The point from which the centre was leapt to around which nothing was found.
     pub(super) fn take_back(&mut self) -> Option<DVector<f64>> {
+        let left = self.left.take()?;
         self.length /= LEAPS_SHRINK;
-        let left = self.left.take();
-        if left.is_some() {
-            (self.failed, self.straight) = (self.failed + 1, 0);
-        }
-        left
+        (self.failed, self.straight) = (self.failed + 1, 0);
+        Some(left)
     }
 }
 
