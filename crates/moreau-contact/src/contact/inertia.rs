@@ -206,13 +206,16 @@ impl MassFactor<f64> {
     /// # Errors
     /// [`Error::Invalid`] if an entry is not positive; +∞ is, and p/∞ = 0 for every p.
     fn diagonal(diagonal: &DVector<f64>) -> Result<Self> {
-        match diagonal.iter().position(|m| m.is_nan() || *m <= 0.0) {
-            None => Ok(MassFactor::from_pivots(spare::collected(diagonal.len(), diagonal.iter().copied()))),
-            Some(j) => {
-                let problem = format!("is not positive definite (pivot {j} is {})", diagonal[j]);
-                Err(Error::invalid("mass", problem, "give every velocity a positive inertia"))
-            }
+        let diagonal = diagonal.as_slice();
+        // looked at without a way out, several at once
+        if !diagonal.iter().fold(true, |all, m| all & (*m > 0.0)) {
+            let j = diagonal.iter().position(|m| m.is_nan() || *m <= 0.0).unwrap_or(0);
+            let problem = format!("is not positive definite (pivot {j} is {})", diagonal[j]);
+            return Err(Error::invalid("mass", problem, "give every velocity a positive inertia"));
         }
+        let mut pivots = spare::vector(diagonal.len());
+        pivots.extend_from_slice(diagonal);
+        Ok(MassFactor::from_pivots(pivots))
     }
 }
 

@@ -23,7 +23,7 @@ pub fn start(problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Res
 pub(super) fn check_start(problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<()> {
     let Some(impulse) = warm_start else { return Ok(()) };
     problem.require_size("warm_start", impulse.len())?;
-    match impulse.iter().position(|r| !r.is_finite()) {
+    match impulse.as_slice().iter().position(|r| !r.is_finite()) {
         None => Ok(()),
         Some(row) => Err(Error::invalid(format!("warm_start[{row}]"), format!("is {}", impulse[row]), "give finite impulses")),
     }

@@ -3,6 +3,7 @@
 use crate::mechanics::{Mechanism, State};
 use moreau_contact::contact::{Contact, Inertia};
 use moreau_contact::memory::spare::{self, Lent, Spare};
+use moreau_exact::number::are_finite;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 use std::cell::OnceCell;
@@ -109,10 +110,10 @@ impl<'a> StepContext<'a> {
 }
 
 /// v + h a, if it is made of numbers.
-fn moved(velocity: &DVector<f64>, mut acceleration: DVector<f64>, h: f64) -> Result<DVector<f64>> {
-    acceleration *= h;
-    let moved = acceleration + velocity;
-    if moved.iter().any(|x| !x.is_finite()) {
+fn moved(velocity: &DVector<f64>, acceleration: DVector<f64>, h: f64) -> Result<DVector<f64>> {
+    let mut moved = acceleration;
+    moved.as_mut_slice().iter_mut().zip(velocity.as_slice()).for_each(|(a, v)| *a = *a * h + v);
+    if !are_finite(moved.as_slice()) {
         return Err(Error::invalid("force", "is not finite", "every force and velocity must be a finite number"));
     }
     Ok(moved)

@@ -1,7 +1,7 @@
 //! A motion of numbers: a step that leaves them is an error, with its time and the body.
 
 use crate::mechanics::{BodyState, Mechanism, State};
-use moreau_exact::number::significant;
+use moreau_exact::number::{are_finite, significant};
 use moreau_exact::{Error, Result};
 
 /// Refuses the state after step k if a position, a velocity or the energy is no finite number; k = 0 is the start.
@@ -17,7 +17,7 @@ pub(super) fn finite(scheme: &str, mechanism: &dyn Mechanism, step: usize, state
         let rates = body.linear_velocity.iter().chain(&body.angular_velocity);
         !body.position.iter().chain(&body.orientation).chain(rates).all(|x| x.is_finite())
     };
-    if !state.position.iter().chain(&state.velocity).all(|x| x.is_finite()) {
+    if !(are_finite(state.position.as_slice()) && are_finite(state.velocity.as_slice())) {
         let bodies = mechanism.bodies(&state.position, &state.velocity);
         let name = bodies.iter().find(lost).map_or_else(|| mechanism.name().to_string(), |body| format!("body `{}`", body.name));
         return refuse(format!("the motion of {name} is"));

@@ -6,6 +6,7 @@ use crate::memory;
 use crate::operator::Operator;
 use crate::problem::keys::{self, two_bodies};
 use crate::tolerance::problem::POLYHEDRAL_UNKNOWNS;
+use moreau_exact::number::are_finite;
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
 
@@ -147,8 +148,7 @@ pub(in crate::problem) fn validate_dynamics(Dynamics { mass, jacobian }: &Dynami
 }
 
 pub(in crate::problem) fn finite(field: &str, values: &[f64]) -> Result<()> {
-    // without a branch for each number first
-    if values.iter().fold(true, |all, x| all & x.is_finite()) {
+    if are_finite(values) {
         return Ok(());
     }
     match values.iter().position(|x| !x.is_finite()) {
@@ -170,8 +170,7 @@ pub(in crate::problem) fn finite_matrix(field: &str, matrix: &DMatrix<f64>) -> R
 
 /// The same of W, however it is stored.
 fn finite_operator(w: &Operator) -> Result<()> {
-    // looked at without a way out, several at once
-    if w.entries().iter().fold(true, |all, x| all & x.is_finite()) {
+    if are_finite(w.entries()) {
         return Ok(());
     }
     let mut first = None;
