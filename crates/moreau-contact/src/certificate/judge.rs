@@ -20,7 +20,7 @@ use super::part::{Part, pair};
 use super::polyhedral::{self, Pairs};
 use super::remembered;
 use super::scales::{self, Held, Scales, Unheld};
-use crate::cones::second_order::{distance, length, tangential_norm};
+use crate::cones::second_order::{distance_of, length, tangential_norm};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::certificate::PROJECTED;
 use moreau_exact::{Error, Result};
@@ -82,32 +82,41 @@ impl Judge {
         &mut self,
         problem: &ContactProblem,
         solution: &Solution,
-        see: impl FnMut(usize, usize, Part),
+        mut see: impl FnMut(usize, usize, Part),
     ) -> Result<Judged> {
         self.scales.prepare(problem);
-        self.judge_shown(problem, solution, Unheld::default(), see)
+        let judged = self.judge_shown(problem, solution, Unheld::default(), &mut see)?;
+        self.each_stored(problem, solution, |contact, at, value, floor| {
+            see(contact, 5, Part { value, scale: self.scales.velocities(contact)[at.min(1)], floor });
+        });
+        Ok(judged)
     }
 
     fn judge_unheld(&mut self, problem: &ContactProblem, solution: &Solution, unheld: Unheld) -> Result<Judged> {
-        self.judge_shown(problem, solution, unheld, |_, _, _| {})
+        self.judge_shown(problem, solution, unheld, &mut |_, _, _| {})
     }
 
+    /// Shows the residuals of every contact but those of the stored u.
     fn judge_shown(
         &mut self,
         problem: &ContactProblem,
         solution: &Solution,
         unheld: Unheld,
-        mut see: impl FnMut(usize, usize, Part),
+        see: &mut impl FnMut(usize, usize, Part),
     ) -> Result<Judged> {
         let impulse = solution.impulse.as_slice();
         self.scales.set_floors(problem, impulse);
         self.scales.set_unheld(unheld);
         self.set_law_velocity(problem, impulse);
         let law_velocity = std::mem::take(&mut self.law_velocity);
-        let judged = self.contacts(problem, solution, impulse, &law_velocity, &mut see);
+        let judged = self.contacts(problem, solution, &law_velocity, see);
         self.law_velocity = law_velocity;
         let mut judged = judged?;
-        self.stored_velocity(problem, solution, &mut judged, &mut see);
+        self.each_stored(problem, solution, |contact, at, value, floor| {
+            if !judged.velocity.ignores(value, floor) {
+                judged.velocity.take(contact, Part { value, scale: self.scales.velocities(contact)[at.min(1)], floor });
+            }
+        });
         Ok(judged)
     }
 
@@ -128,7 +137,7 @@ impl Judge {
 
     /// The largest relative size over the contacts at r and y, without the stored velocity; β and σ are recovered from r and y.
     pub(crate) fn measure(&mut self, problem: &ContactProblem, solution: &Solution, law_velocity: &[f64]) -> Result<f64> {
-        Ok(self.contacts(problem, solution, solution.impulse.as_slice(), law_velocity, &mut |_, _, _| {})?.relative())
+        Ok(self.contacts(problem, solution, law_velocity, &mut |_, _, _| {})?.relative())
     }
 
     fn set_law_velocity(&mut self, problem: &ContactProblem, impulse: &[f64]) {
@@ -136,72 +145,79 @@ impl Judge {
         y.clear();
         y.extend(problem.free_velocity().as_slice().iter().zip(problem.shift().as_slice()).map(|(free, shift)| free + shift));
         problem.delassus().of_contacts().add_product(impulse, y);
-        y.iter_mut().enumerate().for_each(|(row, y)| *y += problem.row_compliance(row) * impulse[row]);
+        let softness = problem.row_compliances();
+        let soft = |row: usize| softness.map_or(0.0, |softness| softness[row]);
+        y.iter_mut().zip(impulse).enumerate().for_each(|(row, (y, r))| *y += soft(row) * r);
     }
 
     fn contacts(
         &mut self,
         problem: &ContactProblem,
         solution: &Solution,
-        impulse: &[f64],
         law_velocity: &[f64],
         see: &mut impl FnMut(usize, usize, Part),
     ) -> Result<Judged> {
+        match problem.rows_per_contact() {
+            1 => self.contacts_of::<1>(problem, solution, law_velocity, see),
+            2 => self.contacts_of::<2>(problem, solution, law_velocity, see),
+            _ => self.contacts_of::<3>(problem, solution, law_velocity, see),
+        }
+    }
+
+    /// [`Judge::contacts`] of this many rows each.
+    fn contacts_of<const ROWS: usize>(
+        &mut self,
+        problem: &ContactProblem,
+        solution: &Solution,
+        law_velocity: &[f64],
+        see: &mut impl FnMut(usize, usize, Part),
+    ) -> Result<Judged> {
+        let (law, impulse) = (problem.law(), solution.impulse.as_slice());
         self.scales.set_sizes(problem, impulse, law_velocity);
-        let rows = problem.rows_per_contact();
         let mut judged = Judged { loaded: self.scales.loaded(impulse), ..Default::default() };
-        for (k, (r, y)) in impulse.chunks_exact(rows).zip(law_velocity.chunks_exact(rows)).enumerate() {
-            if k > 0 && self.is_plainly_open(problem.law(), [r, y], k) {
+        let [impulses, velocities, floors] = [impulse, law_velocity, &self.scales.floors[..]].map(|numbers| numbers.as_chunks::<ROWS>().0);
+        let answer = impulses.iter().zip(velocities).zip(floors).zip(problem.friction());
+        for (k, (((r, y), floors), friction)) in answer.enumerate() {
+            let is_open = || matches!(law, Law::Frictionless | Law::Coulomb) && opens(r, y) && self.scales.is_certain(k, floors);
+            if k > 0 && is_open() {
                 continue;
             }
-            let Held { sizes, most, impulse, floors, uncertain } = self.scales.held(k, k * rows..(k + 1) * rows);
-            let here =
-                Here { contact: k, friction: problem.friction()[k], r, y, weights: self.scales.weights[k], sizes, impulse, floors, most };
-            let at = match problem.law() {
+            let Held { weights, sizes, most, impulse, floors, uncertain } = self.scales.held(k, floors);
+            let here = Here { contact: k, friction: *friction, r, y, weights, sizes, impulse, floors, most };
+            let at = match law {
                 Law::PolyhedralCoulomb { directions } => polyhedral::stewart_trinkle(&mut self.pairs, solution, directions, &here),
                 Law::PolyhedralAssociated { directions } => polyhedral::edges(&mut self.pairs, problem, solution, directions, &here)?,
-                law => second_order(law, &here),
+                law => second_order(law, [r, y], &here),
             };
             judged.take(k, AtContact { dual: uncertain.map_or(at.dual, |part| at.dual.worse(part)), ..at }, see);
         }
         Ok(judged)
     }
 
-    /// Whether a contact without an impulse opens, and its rounding is known and small: all its residuals are 0. Of the first contact they
-    /// are taken in any case, for their limits.
-    fn is_plainly_open(&self, law: Law, [r, y]: [&[f64]; 2], contact: usize) -> bool {
-        let rows = contact * r.len()..(contact + 1) * r.len();
-        let no_impulse = r.iter().all(|r| *r == 0.0) && y[0] >= 0.0 && y.iter().all(|y| y.is_finite());
-        no_impulse && matches!(law, Law::Frictionless | Law::Coulomb) && self.scales.is_certain(contact, rows)
-    }
-
-    /// Judges the stored u: its difference from W r + u_free.
-    fn stored_velocity(
-        &self,
-        problem: &ContactProblem,
-        solution: &Solution,
-        judged: &mut Judged,
-        see: &mut impl FnMut(usize, usize, Part),
-    ) {
-        let rows = problem.rows_per_contact();
-        for (contact, stored) in solution.velocity.as_slice().chunks_exact(rows).enumerate() {
-            let ([s_n, _, s_t], [rho_n, rho_t]) = (self.scales.at(contact), self.scales.weights[contact]);
-            let (normal, tangential) = (s_n / rho_n, s_t / rho_t);
-            for (at, stored) in stored.iter().enumerate() {
-                let row = contact * rows + at;
-                let found = self.law_velocity[row] - problem.shift()[row] - problem.row_compliance(row) * solution.impulse[row];
-                let scale = if at == 0 { normal } else { tangential };
-                let part = Part { value: (stored - found).abs(), scale, floor: self.scales.floors[row] };
-                see(contact, 5, part);
-                judged.velocity.take(contact, part);
-            }
+    /// Shows what is left of the stored u, |u − (W r + u_free)|, with its rounding: contact, row of the contact, residual, rounding.
+    fn each_stored(&self, problem: &ContactProblem, solution: &Solution, mut show: impl FnMut(usize, usize, f64, f64)) {
+        let (rows, softness) = (problem.rows_per_contact(), problem.row_compliances());
+        let soft = |row: usize| softness.map_or(0.0, |softness| softness[row]);
+        let given = problem.shift().as_slice().iter().zip(&self.scales.floors);
+        let answer = solution.velocity.as_slice().iter().zip(solution.impulse.as_slice()).zip(&self.law_velocity);
+        let (mut contact, mut at) = (0, 0);
+        for (row, (((stored, r), y), (shift, floor))) in answer.zip(given).enumerate() {
+            let found = y - shift - soft(row) * r;
+            show(contact, at, (stored - found).abs(), *floor);
+            (contact, at) = if at + 1 == rows { (contact + 1, 0) } else { (contact, at + 1) };
         }
     }
 }
 
-/// The residuals of one contact under a law with a second-order cone.
-fn second_order(law: Law, here: &Here) -> AtContact {
-    let (mu, r, y) = (if law == Law::Frictionless { 0.0 } else { here.friction }, here.r, here.y);
+/// Whether a contact without an impulse opens. Where its rounding is known and small all its residuals are 0; those of the first contact
+/// are taken in any case, for their limits.
+fn opens<const ROWS: usize>(r: &[f64; ROWS], y: &[f64; ROWS]) -> bool {
+    r.iter().all(|r| *r == 0.0) && y[0] >= 0.0 && y.iter().all(|y| y.is_finite())
+}
+
+/// The residuals of one contact at r and y under a law with a second-order cone.
+fn second_order<const ROWS: usize>(law: Law, [r, y]: [&[f64; ROWS]; 2], here: &Here) -> AtContact {
+    let mu = if law == Law::Frictionless { 0.0 } else { here.friction };
     let ([rho, _], [s_n, _, _], [floor_n, floor_t]) = (here.weights, here.sizes, here.floors);
     let (slip, pushed) = (tangential_norm(y), tangential_norm(r));
     let radius = mu * r[0].max(0.0);
@@ -209,7 +225,7 @@ fn second_order(law: Law, here: &Here) -> AtContact {
     let velocity = Part { value: w.abs(), scale: s_n / rho, floor };
     let [s_i, rounding] = here.impulse;
     let (scale, rounded) = if r[0] < 0.0 { (s_i, rounding) } else { (here.friction_scale(mu), PROJECTED * radius) };
-    let outside = Part { value: distance(r, mu), scale, floor: rounded };
+    let outside = Part { value: distance_of([r[0], pushed], mu), scale, floor: rounded };
     let loss = radius * slip + r[1..].iter().zip(&y[1..]).map(|(r, y)| r * y).sum::<f64>();
     let rubbing = (here.friction_scale(mu) * slip).max(here.friction_scale(mu).max(radius) * here.sizes[2] / here.weights[1]);
     let sliding = Part { value: loss.abs(), scale: rubbing, floor: 0.0 };
@@ -222,7 +238,7 @@ fn second_order(law: Law, here: &Here) -> AtContact {
         dual: nan_kept(penetrating, w).times(1.0 / length(mu, 1.0)),
         complementarity: product.worse(if law == Law::Frictionless { Part::default() } else { rounded }),
         normal: pair([r[0], w], Part { value: r[0].abs(), scale: s_i, floor: rounding }, velocity.times(rho)),
-        tangential: friction(mu, here),
+        tangential: friction(mu, [r, y], here),
     }
 }
 
@@ -232,8 +248,8 @@ fn nan_kept(part: Part, from: f64) -> Part {
 }
 
 /// ‖r_t − P_disk(r_t − ρ_t y_t)‖ with its scale and its rounding.
-fn friction(mu: f64, here: &Here) -> Part {
-    let (r, y, rho) = (here.r, here.y, here.weights[1]);
+fn friction<const ROWS: usize>(mu: f64, [r, y]: [&[f64; ROWS]; 2], here: &Here) -> Part {
+    let rho = here.weights[1];
     let radius = mu * r[0].max(0.0);
     let mut z = [0.0; 2];
     z.iter_mut().zip(r[1..].iter().zip(&y[1..])).for_each(|(z, (r, y))| *z = r - rho * y);

@@ -71,21 +71,31 @@ impl Judged {
 
     /// Takes the residuals of one contact, and shows each.
     pub(super) fn take(&mut self, contact: usize, at: AtContact, see: &mut impl FnMut(usize, usize, Part)) {
-        let parts = [at.primal, at.dual, at.complementarity, at.normal, at.tangential];
-        let places = [&mut self.primal, &mut self.dual, &mut self.complementarity, &mut self.normal, &mut self.tangential];
-        for (entry, (place, part)) in places.into_iter().zip(parts).enumerate() {
+        let mut take = |entry: usize, place: &mut Worst, part: Part| {
             see(contact, entry, part);
             place.take(contact, part);
-        }
+        };
+        take(0, &mut self.primal, at.primal);
+        take(1, &mut self.dual, at.dual);
+        take(2, &mut self.complementarity, at.complementarity);
+        take(3, &mut self.normal, at.normal);
+        take(4, &mut self.tangential, at.tangential);
     }
 }
 
 impl Worst {
-    /// The first part is kept even where it is 0: it has a limit that readers look at.
+    /// Whether a residual changes nothing: it is rounding, so that its relative size is 0, and its value is no larger. The first part is
+    /// kept even where it is 0: it has a limit that readers look at.
+    #[inline]
+    pub(super) fn ignores(&self, value: f64, floor: f64) -> bool {
+        value <= floor && floor.is_finite() && value <= self.part.value && self.part != Part::default()
+    }
+
+    /// Takes the residual of one contact.
+    #[inline]
     pub(super) fn take(&mut self, contact: usize, part: Part) {
-        let is_rounding = part.value <= part.floor && part.floor.is_finite();
-        if is_rounding && part.value <= self.part.value && self.part != Part::default() {
-            return; // its relative size is 0, and its value no larger
+        if self.ignores(part.value, part.floor) {
+            return;
         }
         self.largest = worst(self.largest, part.value);
         if self.part == Part::default() || part.exceeds(&self.part) {

@@ -45,14 +45,7 @@ const MOST_ENTRIES: usize = 36;
 /// The weights and scales of a problem's contacts at an answer; its memory is used again for the next problem.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scales {
-    /// ρ_n and ρ_t per contact \[kg\].
-    pub weights: Vec<[f64; 2]>,
-    /// Whether a normal impulse moves its own contact, W_nn + R_nn > 0, and friction, tr(W_tt + R_tt) > 0.
-    moves_itself: Vec<[bool; 2]>,
-    /// The first contact of the same island.
-    island: Vec<usize>,
-    /// The first contact of the same two bodies: see [`groups`].
-    group: Vec<usize>,
+    contacts: Vec<Known>,
     /// Floor per row \[m/s\].
     pub floors: Vec<f64>,
     /// What a group shares of s_n, s_r, s_t, at its first contact \[N·s\].
@@ -65,8 +58,23 @@ pub(super) struct Scales {
     unheld: (Vec<f64>, f64),
 }
 
+/// What the problem says of a contact before there is an answer.
+#[derive(Clone, Copy, Debug)]
+struct Known {
+    /// ρ_n and ρ_t \[kg\].
+    weights: [f64; 2],
+    /// Whether a normal impulse moves its own contact, W_nn + R_nn > 0, and friction, tr(W_tt + R_tt) > 0.
+    moves_itself: [bool; 2],
+    /// The first contact of the same island.
+    island: usize,
+    /// The first contact of the same two bodies: see [`groups`].
+    group: usize,
+}
+
 /// What the numbers of one contact are held against.
 pub(super) struct Held {
+    /// ρ_n and ρ_t \[kg\].
+    pub weights: [f64; 2],
     /// s_n, s_r and s_t \[N·s\].
     pub sizes: [f64; 3],
     /// The largest scale of an impulse that moves this contact along the normal, and along the tangents \[N·s\].
@@ -95,6 +103,11 @@ impl Largest {
     /// V \[m/s\].
     fn velocity(&self) -> f64 {
         if self.given > 0.0 { self.given } else { self.fastest }
+    }
+
+    /// What rounding may hide of the given velocities \[m/s\].
+    fn hidden(&self) -> f64 {
+        if self.given > 0.0 { self.given * HIDDEN } else { f64::INFINITY }
     }
 }
 
@@ -134,14 +147,15 @@ impl Scales {
         let Weights { weights, moves_itself } = problem.weights(weigh);
         self.floors.clear();
         self.floors.resize(problem.rows(), 0.0);
-        self.weights.clear();
-        self.weights.extend_from_slice(weights);
-        self.moves_itself.clear();
-        self.moves_itself.extend_from_slice(moves_itself);
-        self.group.clear();
-        self.group.extend_from_slice(problem.groups(groups::find));
-        self.island.clear();
-        self.island.extend_from_slice(&problem.islands().first);
+        let places = problem.islands().first.iter().zip(problem.groups(groups::find));
+        let known = |((weights, moves_itself), (island, group)): ((&[f64; 2], &[bool; 2]), (&usize, &usize))| Known {
+            weights: *weights,
+            moves_itself: *moves_itself,
+            island: *island,
+            group: *group,
+        };
+        self.contacts.clear();
+        self.contacts.extend(weights.iter().zip(moves_itself.iter()).zip(places).map(known));
         self.unheld = (Vec::new(), 0.0);
     }
 
@@ -153,10 +167,11 @@ impl Scales {
 
     /// The floors at the impulses r; one pass over |W|.
     pub fn set_floors(&mut self, problem: &ContactProblem, impulse: &[f64]) {
-        let data = problem.free_velocity().as_slice().iter().zip(problem.shift().as_slice());
-        let own = |(row, (free, shift)): (usize, (&f64, &f64))| free.abs() + shift.abs() + problem.row_compliance(row) * impulse[row].abs();
+        let (data, softness) = (problem.free_velocity().as_slice().iter().zip(problem.shift().as_slice()), problem.row_compliances());
+        let soft = |row: usize| softness.map_or(0.0, |softness| softness[row]);
+        let own = |(row, ((free, shift), r)): (usize, ((&f64, &f64), &f64))| free.abs() + shift.abs() + soft(row) * r.abs();
         self.floors.clear();
-        self.floors.extend(data.enumerate().map(own));
+        self.floors.extend(data.zip(impulse).enumerate().map(own));
         let operator = problem.delassus().of_contacts();
         operator.add_magnitudes(impulse, &mut self.floors);
         let gamma = gamma(2 * operator.terms() + 8);
@@ -165,33 +180,49 @@ impl Scales {
 
     /// The sizes at r and y = q + (W + R) r.
     pub fn set_sizes(&mut self, problem: &ContactProblem, impulse: &[f64], law_velocity: &[f64]) {
-        let rows = problem.rows_per_contact();
+        match problem.rows_per_contact() {
+            1 => self.set_sizes_of::<1>(problem, impulse, law_velocity),
+            2 => self.set_sizes_of::<2>(problem, impulse, law_velocity),
+            _ => self.set_sizes_of::<3>(problem, impulse, law_velocity),
+        }
+    }
+
+    /// [`Scales::set_sizes`] of contacts of this many rows.
+    fn set_sizes_of<const ROWS: usize>(&mut self, problem: &ContactProblem, impulse: &[f64], law_velocity: &[f64]) {
         self.shared.clear();
         self.shared.resize(problem.contacts(), [0.0; 3]);
         self.own.clear();
         self.largest.clear();
         self.largest.resize(problem.contacts(), Largest::default());
-        for (k, (r, y)) in impulse.chunks_exact(rows).zip(law_velocity.chunks_exact(rows)).enumerate() {
-            let mut q = [0.0; 3];
-            (0..rows).for_each(|row| q[row] = problem.free_velocity()[k * rows + row] + problem.shift()[k * rows + row]);
-            let ([normal, tangential], mu) = (self.weights[k], problem.friction()[k]);
-            let moved = |row: usize| if row < rows { y[row] - q[row] } else { 0.0 };
+        let law = problem.law();
+        let [r, y, free, shift] = [impulse, law_velocity, problem.free_velocity().as_slice(), problem.shift().as_slice()]
+            .map(|numbers| numbers.as_chunks::<ROWS>().0.iter());
+        let given = free.zip(shift).zip(problem.friction());
+        for (known, ((r, y), ((free, shift), mu))) in self.contacts.iter().zip(r.zip(y).zip(given)) {
+            let q: [f64; ROWS] = std::array::from_fn(|row| free[row] + shift[row]);
+            let [normal, tangential] = known.weights;
+            let moved = |row: usize| if row < ROWS { y[row] - q[row] } else { 0.0 };
             let net = length(moved(1), moved(2));
-            let own = if self.moves_itself[k][0] { r[0].abs() } else { 0.0 };
+            let own = if known.moves_itself[0] { r[0].abs() } else { 0.0 };
             let pushed = [own.max(normal * moved(0).abs()), r[0].abs(), length(tangential_norm(r), r[0]).max(tangential * net)];
-            let largest = &mut self.largest[self.island[k]];
+            let largest = &mut self.largest[known.island];
             largest.impulse = largest.impulse.max(r[0].abs());
-            for (row, q) in q[..rows].iter().enumerate() {
+            for (row, q) in q.iter().enumerate() {
                 largest.given = largest.given.max(q.abs());
                 largest.fastest = largest.fastest.max(q.abs()).max(moved(row).abs());
             }
-            let sizes = &mut self.shared[self.group[k]];
+            let sizes = &mut self.shared[known.group];
             sizes.iter_mut().zip(pushed).for_each(|(size, pushed)| *size = size.max(pushed));
-            self.own.push(self.of_data(problem.law(), mu, &q[..rows], k));
+            self.own.push(known.of_data(law, *mu, &q));
         }
+        self.include_unheld(problem);
+    }
+
+    /// The sizes with those of what joints hold.
+    fn include_unheld(&mut self, problem: &ContactProblem) {
         let (data, most) = (&self.unheld.0, self.unheld.1);
-        for (k, q) in data.chunks_exact(rows).enumerate() {
-            let sizes = self.of_data(problem.law(), problem.friction()[k], q, k);
+        for (k, q) in data.chunks_exact(problem.rows_per_contact()).enumerate() {
+            let sizes = self.contacts[k].of_data(problem.law(), problem.friction()[k], q);
             self.own[k].iter_mut().zip(sizes).for_each(|(own, size)| *own = own.max(size));
         }
         if most > 0.0 {
@@ -201,67 +232,85 @@ impl Scales {
         }
     }
 
-    /// What the data q of a contact add to its s_n, s_r and s_t \[N·s\]; to s_r only where a velocity tells the size of an impulse.
-    fn of_data(&self, law: Law, mu: f64, q: &[f64], contact: usize) -> [f64; 3] {
-        let [s_n, s_r, s_t] = of_data(law, mu, q, self.weights[contact]);
-        [s_n, if self.moves_itself[contact][0] { s_r } else { 0.0 }, s_t]
-    }
-
-    /// What the numbers of a contact are held against.
-    pub fn held(&self, contact: usize, rows: std::ops::Range<usize>) -> Held {
-        let (floors, hidden, most) = (&self.floors[rows], self.hidden(contact), self.most(contact));
-        let (sizes, floors) = (self.at_most(contact, most), [floors[0], tangential_norm(floors)]);
-        let impulse = if self.moves_itself[contact][0] { [sizes[0], 0.0] } else { self.of_impulse(contact) };
+    /// What the numbers of a contact are held against, whose rows have these floors.
+    #[inline]
+    pub fn held<const ROWS: usize>(&self, contact: usize, floors: &[f64; ROWS]) -> Held {
+        let known = &self.contacts[contact];
+        let (weights, largest) = (known.weights, &self.largest[known.island]);
+        let (hidden, most) = (largest.hidden(), known.most(largest));
+        let (sizes, floors) = (self.sizes(contact, most), [floors[0], tangential_norm(floors)]);
+        let impulse = if known.moves_itself[0] { [sizes[0], 0.0] } else { self.of_impulse(known) };
         let value = floors[0].max(floors[1]);
-        let uncertain = (value > hidden).then(|| Part { value, scale: sizes[0] / self.weights[contact][0], floor: hidden });
-        Held { sizes, most, impulse, floors: floors.map(|floor| floor.min(hidden)), uncertain }
+        let uncertain = (value > hidden).then(|| Part { value, scale: sizes[0] / weights[0], floor: hidden });
+        Held { weights, sizes, most, impulse, floors: floors.map(|floor| floor.min(hidden)), uncertain }
     }
 
-    /// Whether the rounding of y at these rows of a contact is within what it may hide.
-    pub fn is_certain(&self, contact: usize, rows: std::ops::Range<usize>) -> bool {
-        let most = self.hidden(contact);
-        self.floors[rows].iter().all(|floor| floor.is_finite() && *floor <= 0.5 * most)
+    /// Whether the rounding of y at the rows of a contact, which have these floors, is within what it may hide.
+    pub fn is_certain(&self, contact: usize, floors: &[f64]) -> bool {
+        let most = self.largest[self.contacts[contact].island].hidden();
+        floors.iter().all(|floor| floor.is_finite() && *floor <= 0.5 * most)
     }
 
     /// The largest r_n/(ρ_n V), V the largest given velocity of the island: how many times the impulse that the data ask of a contact it
     /// carries. Where V = 0, or an impulse does not move its own contact, nothing tells.
     pub fn loaded(&self, impulse: &[f64]) -> f64 {
-        let rows = impulse.len() / self.weights.len().max(1);
-        let carried = |k: usize| impulse[k * rows].abs() / (self.weights[k][0] * self.largest[self.island[k]].given);
-        let tells = |k: &usize| self.moves_itself[*k][0] && self.largest[self.island[*k]].given > 0.0;
-        (0..self.weights.len()).filter(tells).map(carried).fold(0.0, f64::max)
-    }
-
-    /// What rounding may hide of the given velocities \[m/s\].
-    fn hidden(&self, contact: usize) -> f64 {
-        let given = self.largest[self.island[contact]].given;
-        if given > 0.0 { given * HIDDEN } else { f64::INFINITY }
+        let rows = impulse.len() / self.contacts.len().max(1);
+        let carried = |(known, r): (&Known, &[f64])| {
+            let given = self.largest[known.island].given;
+            (known.moves_itself[0] && given > 0.0).then(|| r[0].abs() / (known.weights[0] * given))
+        };
+        self.contacts.iter().zip(impulse.chunks_exact(rows.max(1))).filter_map(carried).fold(0.0, f64::max)
     }
 
     /// The scale of r_n itself, with its rounding \[N·s\], where an impulse does not move its own contact, so that no velocity tells how
     /// large it should be: the normal impulses there are between the two bodies.
-    fn of_impulse(&self, contact: usize) -> [f64; 2] {
-        let largest = self.largest[self.island[contact]].impulse;
-        [self.shared[self.group[contact]][1], gamma(2 * self.shared.len() + 8) * largest]
+    fn of_impulse(&self, known: &Known) -> [f64; 2] {
+        let largest = self.largest[known.island].impulse;
+        [self.shared[known.group][1], gamma(2 * self.shared.len() + 8) * largest]
     }
 
     /// s_n, s_r and s_t of contact k \[N·s\].
     pub fn at(&self, contact: usize) -> [f64; 3] {
-        self.at_most(contact, self.most(contact))
+        let known = &self.contacts[contact];
+        self.sizes(contact, known.most(&self.largest[known.island]))
     }
 
-    fn at_most(&self, contact: usize, [moved_n, moved_t]: [f64; 2]) -> [f64; 3] {
-        let ([s_n, s_r, s_t], [own_n, own_r, own_t]) = (self.shared[self.group[contact]], self.own[contact]);
-        let [most_n, most_t] = self.weights[contact].map(|weight| JAMMED * weight * self.largest[self.island[contact]].velocity());
+    /// s_n/ρ_n and s_t/ρ_t of contact k \[m/s\].
+    pub fn velocities(&self, contact: usize) -> [f64; 2] {
+        let ([s_n, _, s_t], [rho_n, rho_t]) = (self.at(contact), self.contacts[contact].weights);
+        [s_n / rho_n, s_t / rho_t]
+    }
+
+    /// [`Scales::at`] with what [`Known::most`] says of the contact.
+    #[inline]
+    fn sizes(&self, contact: usize, [moved_n, moved_t]: [f64; 2]) -> [f64; 3] {
+        let known = &self.contacts[contact];
+        let ([s_n, s_r, s_t], [own_n, own_r, own_t]) = (self.shared[known.group], self.own[contact]);
+        let [most_n, most_t] = known.jammed(&self.largest[known.island]);
         [s_n.max(own_n).min(most_n), s_r.max(own_r).min(moved_n).min(moved_t), s_t.max(own_t).min(most_t)]
     }
+}
 
-    /// 10³ ρ V, normal and tangential \[N·s\], where impulses move their own contact so; else infinite.
-    fn most(&self, contact: usize) -> [f64; 2] {
-        let fastest = self.largest[self.island[contact]].velocity();
-        let ([rho_n, rho_t], [normal, tangential]) = (self.weights[contact], self.moves_itself[contact]);
-        let most = |moves: bool, rho: f64| if moves { JAMMED * rho * fastest } else { f64::INFINITY };
-        [most(normal, rho_n), most(tangential, rho_t)]
+impl Known {
+    /// What the data q of a contact add to its s_n, s_r and s_t \[N·s\]; to s_r only where a velocity tells the size of an impulse.
+    #[inline]
+    fn of_data(&self, law: Law, mu: f64, q: &[f64]) -> [f64; 3] {
+        let [s_n, s_r, s_t] = of_data(law, mu, q, self.weights);
+        [s_n, if self.moves_itself[0] { s_r } else { 0.0 }, s_t]
+    }
+
+    /// 10³ ρ V, normal and tangential \[N·s\].
+    #[inline]
+    fn jammed(&self, largest: &Largest) -> [f64; 2] {
+        let fastest = largest.velocity();
+        self.weights.map(|rho| JAMMED * rho * fastest)
+    }
+
+    /// The same where impulses move their own contact so; else infinite.
+    #[inline]
+    fn most(&self, largest: &Largest) -> [f64; 2] {
+        let ([normal, tangential], [moves_n, moves_t]) = (self.jammed(largest), self.moves_itself);
+        [if moves_n { normal } else { f64::INFINITY }, if moves_t { tangential } else { f64::INFINITY }]
     }
 }
 
@@ -269,6 +318,7 @@ impl Scales {
 ///
 /// The associated laws subtract μ‖q_t‖ from q_n, which rounds by 8ε of both. Of the others only q_n is asked, beside which 8ε‖q_t‖ is
 /// nothing; it counts with min(μ, 1/μ), so that the friction μ s_r that it excuses is rounding of the slip, however large μ is.
+#[inline]
 fn of_data(law: Law, mu: f64, q: &[f64], [normal, tangential]: [f64; 2]) -> [f64; 3] {
     let slip = tangential_norm(q);
     let rounded = |part: f64| PROJECTED * (q[0].abs() + part * slip);

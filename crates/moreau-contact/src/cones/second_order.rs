@@ -17,6 +17,7 @@
 //! Coefficients μ are finite and non-negative; NaN in the data comes out as NaN or as "not contained", never as a number.
 
 /// Norm of the tangential part, ‖z_t‖, without overflow or underflow of the squares.
+#[inline]
 pub fn tangential_norm(z: &[f64]) -> f64 {
     match z[1..] {
         [] => 0.0,
@@ -27,6 +28,7 @@ pub fn tangential_norm(z: &[f64]) -> f64 {
 }
 
 /// √(a² + b²), by `hypot` only where a square overflows, or where one that underflows could be seen: it costs as much as ten square roots.
+#[inline]
 pub(crate) fn length(a: f64, b: f64) -> f64 {
     let square = a * a + b * b;
     if square > f64::MIN_POSITIVE / f64::EPSILON && square.is_finite() {
@@ -99,14 +101,19 @@ pub fn project_dual(u: &mut [f64], mu: f64) {
 
 /// Euclidean distance from `z` to K_μ.
 pub fn distance(z: &[f64], mu: f64) -> f64 {
-    let norm = tangential_norm(z);
-    if contains(z, mu) {
+    distance_of([z[0], tangential_norm(z)], mu)
+}
+
+/// [`distance`] of a point z from its parts z_n and ‖z_t‖.
+#[inline]
+pub(crate) fn distance_of([normal, norm]: [f64; 2], mu: f64) -> f64 {
+    if normal >= 0.0 && norm <= mu * normal {
         0.0
-    } else if polar_contains(z, mu) {
-        length(norm, z[0])
+    } else if mu * norm <= -normal {
+        length(norm, normal)
     } else {
         let (c, s) = half_angle(mu);
-        c * norm - s * z[0]
+        c * norm - s * normal
     }
 }
 

@@ -48,11 +48,13 @@ impl Workspace {
     pub fn closes(&mut self, problem: &ContactProblem, tolerance: f64) -> bool {
         let Workspace { answer, .. } = self;
         problem.write_velocity(answer.impulse.as_slice(), answer.velocity.as_mut_slice());
-        let (rows, shift) = (problem.rows_per_contact(), problem.shift());
-        let data = || problem.free_velocity().iter().zip(shift).map(|(free, shift)| (free + shift).abs());
-        let most = (HIDDEN + JAMMED * tolerance) * data().fold(0.0, f64::max);
+        let (rows, shift) = (problem.rows_per_contact(), problem.shift().as_slice());
+        let data = || problem.free_velocity().as_slice().iter().zip(shift).map(|(free, shift)| (free + shift).abs());
+        // none is NaN
+        let most = (HIDDEN + JAMMED * tolerance) * data().fold(0.0, |most, q| if q > most { q } else { most });
         let is_given = |k: usize| data().skip(k * rows).take(rows).any(|q| q > 0.0);
-        let normal = |row: usize| answer.velocity[row] + shift[row] + problem.row_compliance(row) * answer.impulse[row];
+        let (velocity, impulse) = (answer.velocity.as_slice(), answer.impulse.as_slice());
+        let normal = |row: usize| velocity[row] + shift[row] + problem.row_compliance(row) * impulse[row];
         problem.law().directions().is_none() && (0..problem.contacts()).any(|k| normal(k * rows) < -most && is_given(k))
     }
 

@@ -150,9 +150,14 @@ impl ContactProblem {
 
     /// R of one contact row \[1/kg\], zero if the problem is hard or its compliance acts on edges.
     pub fn row_compliance(&self, row: usize) -> f64 {
+        self.row_compliances().map_or(0.0, |diagonal| diagonal[row])
+    }
+
+    /// R of all contact rows \[1/kg\]; none where all are zero.
+    pub(crate) fn row_compliances(&self) -> Option<&[f64]> {
         match &self.compliance {
-            Some(Compliance { coordinates: Coordinates::Contact, diagonal }) => diagonal[row],
-            _ => 0.0,
+            Some(Compliance { coordinates: Coordinates::Contact, diagonal }) => Some(diagonal.as_slice()),
+            _ => None,
         }
     }
 
