@@ -163,6 +163,11 @@ impl<T: Scalar> MassFactor<T> {
         std::mem::take(&mut self.pivots)
     }
 
+    /// Whether L is the identity because M is known to be diagonal.
+    pub(crate) fn is_diagonal(&self) -> bool {
+        self.lower.is_empty()
+    }
+
     /// D.
     pub(crate) fn pivots(&self) -> &[T] {
         &self.pivots

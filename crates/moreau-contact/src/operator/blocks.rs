@@ -113,12 +113,16 @@ impl BlockSparse {
         Ok(())
     }
 
-    /// Appends W_jk to the column that was begun last, in which its row grows.
+    /// Appends a column of the contacts that `each` shows, growing; its blocks have no entries yet.
     #[inline]
-    pub(super) fn append(&mut self, row: usize, block: &[f64]) {
-        debug_assert!(self.coupled[self.starts[self.starts.len() - 1]..].last().is_none_or(|last| *last < row), "rows grow");
-        self.coupled.push(row);
-        self.entries.extend_from_slice(block);
+    pub(super) fn append_column(&mut self, each: impl FnOnce(&mut dyn FnMut(usize))) {
+        each(&mut |row| self.coupled.push(row));
+        self.starts.push(self.coupled.len());
+    }
+
+    /// Where the blocks of every column begin, their contacts, and their entries as far as they are there.
+    pub(super) fn parts_mut(&mut self) -> (&[usize], &[usize], &mut Vec<f64>) {
+        (&self.starts, &self.coupled, &mut self.entries)
     }
 
     /// Closes the last columns.
@@ -161,13 +165,6 @@ impl BlockSparse {
         let (size, first) = (self.rows_per_contact * self.rows_per_contact, self.starts[column]);
         let place = self.coupled[first..self.starts[column + 1]].binary_search(&row).ok()? + first;
         Some(&self.entries[place * size..(place + 1) * size])
-    }
-
-    /// The block that was appended as number `place`.
-    #[inline]
-    pub(super) fn block_at(&self, place: usize) -> &[f64] {
-        let size = self.rows_per_contact * self.rows_per_contact;
-        &self.entries[place * size..(place + 1) * size]
     }
 
     /// W_ij of two rows \[1/kg\].
@@ -274,9 +271,9 @@ impl ContactOperator for BlockSparse {
         let (first, last) = (self.starts[contact], self.starts[contact + 1]);
         match *impulse {
             [x, y, z] => {
-                let blocks = self.entries[9 * first..9 * last].as_chunks::<9>().0;
+                let (blocks, velocity) = (&self.entries.as_chunks::<9>().0[first..last], velocity.as_chunks_mut::<3>().0);
                 for (j, w) in self.coupled[first..last].iter().zip(blocks) {
-                    let u = &mut velocity[3 * j..3 * j + 3];
+                    let u = &mut velocity[*j];
                     u[0] += w[0] * x + w[3] * y + w[6] * z;
                     u[1] += w[1] * x + w[4] * y + w[7] * z;
                     u[2] += w[2] * x + w[5] * y + w[8] * z;

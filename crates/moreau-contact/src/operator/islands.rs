@@ -76,6 +76,9 @@ struct Parts {
 
 impl Parts {
     fn join(&mut self, j: usize, k: usize) {
+        if self.root[j] == self.root[k] {
+            return;
+        }
         let (one, other) = (find(&mut self.root, j), find(&mut self.root, k));
         if one != other {
             self.root[one.max(other)] = one.min(other);

@@ -6,11 +6,12 @@
 //! It costs as much as there are pairs of contacts that meet.
 
 use super::{BlockRows, BlockSparse, Lists, MatrixFree, Operator};
-use crate::contact::delassus::delassus_factored;
+use crate::contact::delassus::{MassFactor, delassus_factored};
 use crate::contact::{Inertia, Jacobian, Rows};
 use crate::memory;
 use crate::memory::spare::{self, Lent, spare_entries};
 use crate::tolerance::problem::STORED_CONTACTS;
+use moreau_exact::number::are_finite;
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
 
@@ -43,13 +44,13 @@ pub fn of_mechanism(inertia: &Inertia, jacobian: &Jacobian) -> Result<Operator> 
     let n = jacobian.contacts().len();
     if let Some(width) = body_width(jacobian).filter(|width| inertia.is_made_of(*width)) {
         let meeting = Meeting::new(jacobian, width);
-        let nearly_all_meet = n > STORED_CONTACTS && 2 * meeting.pairs() >= n * n;
+        let nearly_all_meet = n > STORED_CONTACTS && 2 * meeting.pairs >= n * n;
         // none where a mass is infinite
         if let Some(masses) = if nearly_all_meet { inertia.bodies(width) } else { None } {
             return through_bodies(&masses, jacobian, width).map(Operator::from);
         }
         let blocks = blocks(inertia, jacobian, width, &meeting)?;
-        return Ok(if 2 * meeting.pairs() < n * n { blocks.into() } else { blocks.to_dense().into() });
+        return Ok(if 2 * meeting.pairs < n * n { blocks.into() } else { blocks.to_dense().into() });
     }
     let room = memory::matrix(jacobian.nrows(), jacobian.nrows())
         .saturating_add(memory::matrix(jacobian.nrows(), jacobian.ncols()).saturating_mul(2));
@@ -72,179 +73,200 @@ fn through_bodies(masses: &[DMatrix<f64>], jacobian: &Jacobian, width: usize) ->
 pub(super) fn body_width(jacobian: &Jacobian) -> Option<usize> {
     let mut parts = jacobian.contacts().iter().flat_map(Rows::parts);
     let width = jacobian.contacts().first()?.parts().next()?.width;
-    let is_one = width * jacobian.rows_per_contact() <= LARGEST && jacobian.ncols().is_multiple_of(width);
+    let is_one = (1..=3).contains(&jacobian.rows_per_contact())
+        && width * jacobian.rows_per_contact() <= LARGEST
+        && jacobian.ncols().is_multiple_of(width);
     (is_one && parts.all(|part| part.width == width && part.first.is_multiple_of(width))).then_some(width)
 }
 
 fn blocks(inertia: &Inertia, jacobian: &Jacobian, width: usize, meeting: &Meeting) -> Result<BlockSparse> {
-    let (d, n) = (jacobian.rows_per_contact(), jacobian.contacts().len());
-    memory::require("the Delassus blocks of this step", (meeting.pairs() as u128).saturating_mul((8 * d * d + 16) as u128))?;
-    let mut halves: Lent<Vec<Half>> = spare::vector(meeting.members.total()).into();
-    let mut starts: Lent<Vec<usize>> = spare::vector(n + 1).into();
-    for contact in jacobian.contacts() {
-        starts.push(halves.len());
-        for part in contact.parts() {
-            if let Some(entry) = part.entries.iter().find(|entry| !entry.is_finite()) {
-                return Err(Error::invalid("jacobian", format!("holds {entry}"), "use finite numbers"));
-            }
-            let (mut left, mut weighted) = ([0.0; LARGEST], [0.0; LARGEST]);
-            left[..part.entries.len()].copy_from_slice(part.entries);
-            for row in left[..part.entries.len()].chunks_exact_mut(width) {
-                inertia.factor().forward_within(part.first, row);
-            }
-            let pivots = &inertia.factor().pivots()[part.first..part.first + width];
-            for (row, half) in weighted.chunks_exact_mut(width).zip(left[..part.entries.len()].chunks_exact(width)) {
-                row.iter_mut().zip(half).zip(pivots).for_each(|((weighted, y), d)| *weighted = y / d);
-            }
-            halves.push(Half { body: part.first / width, left, weighted });
-        }
+    let d = jacobian.rows_per_contact();
+    memory::require("the Delassus blocks of this step", (meeting.pairs as u128).saturating_mul((8 * d * d + 16) as u128))?;
+    let halves = Halves::new(inertia.factor(), jacobian, width, meeting.members.total())?;
+    let mut made = meeting.without_entries(d);
+    match [d, width] {
+        SPATIAL => fill::<3, 9>(&mut made, &halves, spatial_product),
+        [1, _] => fill::<1, 1>(&mut made, &halves, |later, earlier| product::<1, 1>(later, earlier, width)),
+        [2, _] => fill::<2, 4>(&mut made, &halves, |later, earlier| product::<2, 4>(later, earlier, width)),
+        _ => fill::<3, 9>(&mut made, &halves, |later, earlier| product::<3, 9>(later, earlier, width)),
     }
-    starts.push(halves.len());
-    let own = |k: usize| &halves[starts[k]..starts[k + 1]];
-    let mut made = BlockSparse::with_capacity(d, n, meeting.pairs());
-    let (mut met, mut block) = (Lent::from(spare::vector(meeting.most)), [0.0; 9]);
-    // of every column so far the place of the first block that has not been mirrored yet
-    let mut next: Lent<Vec<usize>> = spare::repeated(n, 0).into();
-    for k in 0..n {
-        met.clear();
-        meeting.of(own(k).iter().map(|half| half.body), |j| met.push(j));
-        made.begin(k);
-        for &j in met.iter() {
-            if j < k {
-                // W_jk = W_kjᵀ, which stands in the column of j: contacts that meet meet in both orders
-                block[..d * d].copy_from_slice(made.block_at(next[j]));
-                next[j] += 1;
-                transpose(&mut block, d);
-            } else if [d, width] == SPATIAL {
-                spatial_product(own(j), own(k), j == k, &mut block);
-            } else {
-                product(own(j), own(k), [d, width], j == k, &mut block);
-            }
-            made.append(j, &block[..d * d]);
-            if j == k {
-                next[k] = made.block_count();
-            }
-        }
-    }
-    made.finish(n);
     Ok(made)
 }
 
-/// [`product`] of contacts between free bodies in space, with the same entries bit for bit.
-fn spatial_product(later: &[Half], earlier: &[Half], diagonal: bool, block: &mut [f64; 9]) {
-    const ROWS: usize = SPATIAL[0];
-    const WIDTH: usize = SPATIAL[1];
-    block.fill(0.0);
-    let (mut one, mut other) = (later, earlier);
-    while let ([half, ..], [opposite, ..]) = (one, other) {
-        if half.body == opposite.body {
-            let [weighted, left] = [&half.weighted, &opposite.left].map(|rows| rows.as_chunks::<WIDTH>().0);
-            for (column, left) in block.as_chunks_mut::<ROWS>().0.iter_mut().zip(left) {
-                for (entry, weighted) in column.iter_mut().zip(weighted) {
-                    (0..WIDTH).for_each(|axis| *entry += weighted[axis] * left[axis]);
+/// The halves of all contacts, those of contact k from starts[k] to starts[k + 1].
+struct Halves {
+    halves: Lent<Vec<Half>>,
+    starts: Lent<Vec<usize>>,
+}
+
+impl Halves {
+    fn new(factor: &MassFactor<f64>, jacobian: &Jacobian, width: usize, total: usize) -> Result<Self> {
+        let mut halves: Lent<Vec<Half>> = spare::vector(total).into();
+        let mut starts: Lent<Vec<usize>> = spare::vector(jacobian.contacts().len() + 1).into();
+        for contact in jacobian.contacts() {
+            starts.push(halves.len());
+            for part in contact.parts() {
+                if !are_finite(part.entries) {
+                    let wrong = part.entries.iter().find(|entry| !entry.is_finite()).unwrap_or(&f64::NAN);
+                    return Err(Error::invalid("jacobian", format!("holds {wrong}"), "use finite numbers"));
                 }
+                halves.push(Half::new(factor, [part.first, width], part.entries));
             }
         }
-        (one, other) = (&one[usize::from(half.body <= opposite.body)..], &other[usize::from(opposite.body <= half.body)..]);
+        starts.push(halves.len());
+        Ok(Halves { halves, starts })
     }
-    if diagonal {
-        mirror(block, ROWS);
+
+    /// Those of a contact, bodies growing.
+    #[inline]
+    fn of(&self, contact: usize) -> &[Half] {
+        &self.halves[self.starts[contact]..self.starts[contact + 1]]
     }
+}
+
+impl Half {
+    #[inline]
+    fn new(factor: &MassFactor<f64>, [first, width]: [usize; 2], entries: &[f64]) -> Self {
+        let mut half = Half { body: first / width, left: [0.0; LARGEST], weighted: [0.0; LARGEST] };
+        let (left, pivots) = (&mut half.left[..entries.len()], &factor.pivots()[first..first + width]);
+        left.copy_from_slice(entries);
+        if !factor.is_diagonal() {
+            left.chunks_exact_mut(width).for_each(|row| factor.forward_within(first, row));
+        }
+        match pivots.first_chunk::<{ SPATIAL[1] }>().filter(|_| width == SPATIAL[1]) {
+            Some(pivots) => weigh(&mut half.weighted, left, pivots),
+            None => weigh(&mut half.weighted, left, pivots),
+        }
+        half
+    }
+}
+
+/// Row by row over the pivots.
+#[inline(always)]
+fn weigh(weighted: &mut [f64], left: &[f64], pivots: &[f64]) {
+    for (row, half) in weighted.chunks_exact_mut(pivots.len()).zip(left.chunks_exact(pivots.len())) {
+        row.iter_mut().zip(half).zip(pivots).for_each(|((weighted, y), d)| *weighted = y / d);
+    }
+}
+
+/// Appends the blocks of contacts of so many rows, of so many entries: W_jk = `product` of the halves of j and k, j ≥ k. Of a diagonal
+/// block the lower triangle is mirrored.
+fn fill<const ROWS: usize, const SIZE: usize>(made: &mut BlockSparse, halves: &Halves, product: impl Fn(&[Half], &[Half]) -> [f64; SIZE]) {
+    let (starts, coupled, entries) = made.parts_mut();
+    // of every column so far the place of the first block that has not been mirrored yet
+    let mut next: Lent<Vec<usize>> = spare::repeated(starts.len(), 0).into();
+    for k in 0..starts.len() - 1 {
+        let (met, own) = (&coupled[starts[k]..starts[k + 1]], halves.of(k));
+        let (before, rest) = met.split_at(met.partition_point(|j| *j < k));
+        let Some((_, after)) = rest.split_first() else { continue };
+        for j in before {
+            // W_jk = W_kjᵀ, which stands in the column of j: contacts that meet meet in both orders
+            let block = transposed::<ROWS, SIZE>(&entries.as_chunks().0[next[*j]]);
+            entries.extend_from_slice(&block);
+            next[*j] += 1;
+        }
+        next[k] = starts[k] + before.len() + 1;
+        // it meets itself
+        let mut diagonal = product(own, own);
+        mirror::<ROWS, SIZE>(&mut diagonal);
+        entries.extend_from_slice(&diagonal);
+        after.iter().for_each(|j| entries.extend_from_slice(&product(halves.of(*j), own)));
+    }
+}
+
+/// [`product`] of contacts between free bodies in space, with the same entries bit for bit.
+#[inline]
+fn spatial_product(later: &[Half], earlier: &[Half]) -> [f64; 9] {
+    const ROWS: usize = SPATIAL[0];
+    const WIDTH: usize = SPATIAL[1];
+    let mut block = [[0.0; ROWS]; ROWS];
+    for half in later {
+        let Some(other) = earlier.iter().find(|other| other.body == half.body) else { continue };
+        let [weighted, left] = [&half.weighted, &other.left].map(|rows| rows.as_chunks::<WIDTH>().0);
+        for axis in 0..WIDTH {
+            for (column, left) in block.iter_mut().zip(left) {
+                column.iter_mut().zip(weighted).for_each(|(entry, weighted)| *entry += weighted[axis] * left[axis]);
+            }
+        }
+    }
+    *block.as_flattened().as_array().expect("as many entries")
+}
+
+/// Σ_b (L⁻¹H_jᵀ D⁻¹)(L⁻¹H_kᵀ) of the contacts j and k, column by column, with the terms in the order of the velocities.
+#[inline]
+fn product<const ROWS: usize, const SIZE: usize>(later: &[Half], earlier: &[Half], width: usize) -> [f64; SIZE] {
+    let mut block = [0.0; SIZE];
+    for half in later {
+        let Some(other) = earlier.iter().find(|other| other.body == half.body) else { continue };
+        for (place, entry) in block.iter_mut().enumerate() {
+            let (i, j) = (place % ROWS, place / ROWS);
+            let (weighted, left) = (&half.weighted[i * width..(i + 1) * width], &other.left[j * width..(j + 1) * width]);
+            weighted.iter().zip(left).for_each(|(weighted, left)| *entry += weighted * left);
+        }
+    }
+    block
 }
 
 /// Takes the lower triangle as the upper one.
-fn mirror(block: &mut [f64; 9], d: usize) {
-    for (i, j) in (0..d).flat_map(|i| (0..i).map(move |j| (i, j))) {
-        block[i * d + j] = block[j * d + i];
+#[inline]
+fn mirror<const ROWS: usize, const SIZE: usize>(block: &mut [f64; SIZE]) {
+    for (i, j) in (0..ROWS).flat_map(|i| (0..i).map(move |j| (i, j))) {
+        block[i * ROWS + j] = block[j * ROWS + i];
     }
 }
 
-/// W_jk of two contacts, j ≥ k, column by column: Σ_b (L⁻¹H_jᵀ D⁻¹)(L⁻¹H_kᵀ) with the terms in the order of the velocities. Of a diagonal
-/// block the lower triangle is computed and mirrored.
-#[inline(always)]
-fn product(later: &[Half], earlier: &[Half], [d, width]: [usize; 2], diagonal: bool, block: &mut [f64; 9]) {
-    block[..d * d].fill(0.0);
-    let mut others = earlier.iter().peekable();
-    for half in later {
-        while others.next_if(|other| other.body < half.body).is_some() {}
-        let Some(other) = others.next_if(|other| other.body == half.body) else { continue };
-        for i in 0..d {
-            for j in 0..if diagonal { i + 1 } else { d } {
-                let (weighted, left) = (&half.weighted[i * width..(i + 1) * width], &other.left[j * width..(j + 1) * width]);
-                let entry = &mut block[j * d + i];
-                weighted.iter().zip(left).for_each(|(weighted, left)| *entry += weighted * left);
-            }
-        }
-    }
-    if diagonal {
-        mirror(block, d);
-    }
+#[inline]
+fn transposed<const ROWS: usize, const SIZE: usize>(block: &[f64; SIZE]) -> [f64; SIZE] {
+    std::array::from_fn(|place| block[place % ROWS * ROWS + place / ROWS])
 }
 
-fn transpose(block: &mut [f64; 9], d: usize) {
-    for (i, j) in (0..d).flat_map(|i| (0..i).map(move |j| (i, j))) {
-        block.swap(i * d + j, j * d + i);
-    }
-}
-
-/// The contacts of every body.
+/// Which contacts meet.
 struct Meeting {
+    /// The one or two bodies of every contact.
+    bodies: Lent<Vec<[Option<usize>; 2]>>,
+    /// The contacts of every body.
     members: Lists,
+    /// How many blocks W has.
     pairs: usize,
-    /// Most contacts that one contact meets.
-    most: usize,
 }
 
 impl Meeting {
     fn new(jacobian: &Jacobian, width: usize) -> Self {
-        let bodies = |contact: &Rows| contact.parts().map(move |part| part.first / width).collect::<BodiesOf>();
+        let pair = |contact: &Rows| {
+            let mut bodies = contact.parts().map(|part| part.first / width);
+            [bodies.next(), bodies.next()]
+        };
+        let bodies: Lent<Vec<_>> = spare::collected(jacobian.contacts().len(), jacobian.contacts().iter().map(pair)).into();
         let mut members = Lists::default();
         members.collect(jacobian.ncols() / width, |show| {
-            for (k, contact) in jacobian.contacts().iter().enumerate() {
-                bodies(contact).iter().for_each(|body| show(body, k));
+            for (k, [one, other]) in bodies.iter().enumerate() {
+                one.iter().chain(other).for_each(|body| show(*body, k));
             }
         });
-        let mut meeting = Meeting { members, pairs: 0, most: 0 };
-        for contact in jacobian.contacts() {
-            let mut met = 0;
-            meeting.of(bodies(contact).iter(), |_| met += 1);
-            meeting.pairs += met;
-            meeting.most = meeting.most.max(met);
-        }
+        let mut meeting = Meeting { bodies, members, pairs: 0 };
+        let mut pairs = 0;
+        (0..meeting.bodies.len()).for_each(|k| meeting.each(k, |_| pairs += 1));
+        meeting.pairs = pairs;
         meeting
     }
 
-    /// How many blocks W has.
-    fn pairs(&self) -> usize {
-        self.pairs
-    }
-
-    /// Shows the contacts that touch one of at most two bodies, growing, each once.
-    fn of(&self, mut bodies: impl Iterator<Item = usize>, mut show: impl FnMut(usize)) {
-        let mut next = || bodies.next().map_or(&[][..], |body| &self.members[body]);
-        let (mut one, mut other) = (next(), next());
+    /// Shows the contacts that touch a body of contact k, growing, each once.
+    #[inline]
+    fn each(&self, k: usize, mut show: impl FnMut(usize)) {
+        let of = |body: Option<usize>| body.map_or(&[][..], |body| &self.members[body]);
+        let (mut one, mut other) = (of(self.bodies[k][0]), of(self.bodies[k][1]));
         while let (Some(a), Some(b)) = (one.first(), other.first()) {
             show(*a.min(b));
             (one, other) = (&one[usize::from(a <= b)..], &other[usize::from(b <= a)..]);
         }
         one.iter().chain(other).for_each(|k| show(*k));
     }
-}
 
-/// The one or two bodies of a contact.
-#[derive(Clone, Copy, Default)]
-struct BodiesOf([Option<usize>; 2]);
-
-impl BodiesOf {
-    fn iter(self) -> impl Iterator<Item = usize> {
-        self.0.into_iter().flatten()
-    }
-}
-
-impl FromIterator<usize> for BodiesOf {
-    fn from_iter<I: IntoIterator<Item = usize>>(bodies: I) -> Self {
-        let mut bodies = bodies.into_iter();
-        BodiesOf([bodies.next(), bodies.next()])
+    /// W of contacts of so many rows, whose blocks have no entries yet.
+    fn without_entries(&self, rows: usize) -> BlockSparse {
+        let mut made = BlockSparse::with_capacity(rows, self.bodies.len(), self.pairs);
+        (0..self.bodies.len()).for_each(|k| made.append_column(|push| self.each(k, push)));
+        made
     }
 }
 

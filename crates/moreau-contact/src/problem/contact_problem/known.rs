@@ -105,7 +105,8 @@ impl Known {
         match self {
             Known::Sparse { jacobian, members, .. } => {
                 let contact = members.as_ref().map_or(contact, |members| members[contact]);
-                columns.extend(jacobian.contacts()[contact].touched());
+                // from within: an iterator of several parts goes through its own loops then
+                jacobian.contacts()[contact].touched().for_each(|column| columns.push(column));
             }
             Known::Listed { listed, .. } => listed.push_touched(contact, columns),
             Known::Dense(Dynamics { jacobian, .. }) => {
