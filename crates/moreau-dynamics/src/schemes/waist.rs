@@ -86,7 +86,8 @@ pub fn step(scheme: &dyn Waist, solver: &Certified, start: &Start) -> Result<Ste
 pub fn step_in_parts(start: &Start, parts: &Parts) -> Result<Step> {
     let Start { mechanism, state, h, .. } = *start;
     let whole = StepContext::new(mechanism, state, h)?;
-    let mut reach = 2.0 * mechanism.reach(&state.velocity, h);
+    let before = mechanism.reach(&state.velocity, h);
+    let mut reach = 2.0 * before;
     if reach.is_finite() {
         reach = reach.max(2.0 * mechanism.reach(whole.forecast()?, h));
     }
@@ -95,7 +96,7 @@ pub fn step_in_parts(start: &Start, parts: &Parts) -> Result<Step> {
         let near = Nearby { mechanism, reach };
         let at = whole.of(&near);
         let assembled = (parts.assemble)(&at)?;
-        let needed = mechanism.reach(&state.velocity, h).max(mechanism.reach(&assembled.free_velocity, h));
+        let needed = before.max(mechanism.reach(&assembled.free_velocity, h));
         if needed > reach {
             (parts.discard)();
             reach = 2.0 * needed;

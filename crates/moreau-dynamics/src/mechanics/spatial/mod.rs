@@ -123,23 +123,22 @@ impl SpatialBodies {
         (0..self.bodies.len()).map(|body| Pose::of(body, position))
     }
 
-    fn contact(&self, first: usize, second: Option<usize>, touch: &Touch, pose: &dyn Fn(usize) -> Pose) -> Contact {
+    /// A candidate of two bodies at these poses, its rows taken at the points `seen` of the two.
+    fn contact(&self, (first, second): (usize, Option<usize>), touch: &Touch, seen: [Vector3<f64>; 2], poses: [&Pose; 2]) -> Contact {
         let [t1, t2] = spatial_tangents(touch.normal.into());
         let frame = [touch.normal.into(), t1, t2];
-        let rows = |body: usize, point: Vector3<f64>, sign: f64| {
-            let pose = pose(body);
-            frame.map(|direction| {
-                let arm = pose.rotation.tr_mul(&(point - pose.centre).cross(&Vector3::from(direction)));
-                six(sign, direction, arm.into())
-            })
+        let rows = |pose: &Pose, point: Vector3<f64>, sign: f64| {
+            let lever = point - pose.centre;
+            let row = |direction: [f64; 3]| six(sign, direction, pose.rotation.tr_mul(&lever.cross(&Vector3::from(direction))).into());
+            [row(frame[0]), row(t1), row(t2)]
         };
         let (friction, restitution) = self.materials.of(first, second);
         let place = Place { bodies: (first, second), features: touch.features, frame };
         let jacobian = Rows::zeros(3, 6 * self.bodies.len());
         let mut contact = Contact { gap: touch.gap, jacobian, friction, restitution, place: Some(place) };
-        contact.jacobian.push(6 * first, &rows(first, touch.seen[0], 1.0));
+        contact.jacobian.push(6 * first, &rows(poses[0], seen[0], 1.0));
         if let Some(second) = second {
-            contact.jacobian.push(6 * second, &rows(second, touch.seen[1], -1.0));
+            contact.jacobian.push(6 * second, &rows(poses[1], seen[1], -1.0));
         }
         contact
     }
@@ -148,7 +147,8 @@ impl SpatialBodies {
     fn candidates(&self, position: &DVector<f64>, reach: f64, seen: impl Fn(&Touch) -> [Vector3<f64>; 2]) -> Vec<Contact> {
         let mut contacts = spare::vector(self.neighbours.expected());
         self.touches(position, reach, |poses, first, second, touch| {
-            contacts.push(self.contact(first, second, &Touch { seen: seen(touch), ..*touch }, &|body| poses[body]));
+            let two = [&poses[first], &poses[second.unwrap_or(first)]];
+            contacts.push(self.contact((first, second), touch, seen(touch), two));
         });
         self.neighbours.expect(contacts.len());
         contacts
@@ -171,8 +171,9 @@ fn spin(body: usize, velocity: &DVector<f64>) -> Vector3<f64> {
 }
 
 /// A row of H at one body: the direction in which its point moves, and the arm of a turn, both with a sign.
-pub(in crate::mechanics) fn six(sign: f64, direction: [f64; 3], arm: [f64; 3]) -> [f64; 6] {
-    std::array::from_fn(|axis| sign * if axis < 3 { direction[axis] } else { arm[axis - 3] })
+#[inline]
+pub(in crate::mechanics) fn six(sign: f64, [x, y, z]: [f64; 3], [a, b, c]: [f64; 3]) -> [f64; 6] {
+    [sign * x, sign * y, sign * z, sign * a, sign * b, sign * c]
 }
 
 impl Mechanism for SpatialBodies {
@@ -268,18 +269,18 @@ impl Mechanism for SpatialBodies {
     }
 
     fn contacts_between(&self, position: &DVector<f64>, (first, second): (usize, Option<usize>)) -> Vec<Contact> {
-        let pose = |body: usize| Pose::of(body, position);
+        let [own, other] = [first, second.unwrap_or(first)].map(|body| Pose::of(body, position));
         let mut touches = Touches::default();
         match (second, &self.ground) {
             (None, None) => {}
             (None, Some(_)) if !self.bodies[first].is_free() => {}
             (Some(other), _) if !(self.bodies[first].is_free() || self.bodies[other].is_free()) => {}
-            (None, Some(ground)) => ground_touches(self.bodies[first].shape(), &pose(first), ground, &mut touches.list),
-            (Some(other), _) => {
-                pair_touches(self.bodies[first].shape(), &pose(first), self.bodies[other].shape(), &pose(other), &mut touches);
+            (None, Some(ground)) => ground_touches(self.bodies[first].shape(), &own, ground, &mut touches.list),
+            (Some(second), _) => {
+                pair_touches(self.bodies[first].shape(), &own, self.bodies[second].shape(), &other, &mut touches);
             }
         }
-        touches.list.iter().map(|touch| self.contact(first, second, touch, &pose)).collect()
+        touches.list.iter().map(|touch| self.contact((first, second), touch, touch.seen, [&own, &other])).collect()
     }
 
     fn contacts_halfway(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
