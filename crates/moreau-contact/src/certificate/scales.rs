@@ -148,14 +148,10 @@ impl Scales {
         self.floors.clear();
         self.floors.resize(problem.rows(), 0.0);
         let places = problem.islands().first.iter().zip(problem.groups(groups::find));
-        let known = |((weights, moves_itself), (island, group)): ((&[f64; 2], &[bool; 2]), (&usize, &usize))| Known {
-            weights: *weights,
-            moves_itself: *moves_itself,
-            island: *island,
-            group: *group,
-        };
         self.contacts.clear();
-        self.contacts.extend(weights.iter().zip(moves_itself.iter()).zip(places).map(known));
+        for ((weights, moves_itself), (island, group)) in weights.iter().zip(moves_itself.iter()).zip(places) {
+            self.contacts.push(Known { weights: *weights, moves_itself: *moves_itself, island: *island, group: *group });
+        }
         self.unheld = (Vec::new(), 0.0);
     }
 
