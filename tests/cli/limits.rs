@@ -201,7 +201,7 @@ fn the_event_driven_restitution_is_that_of_the_located_impact() {
 }
 
 /// A plate with so many contacts, all of one body: what one of them does moves all others.
-fn plate(contacts: usize) -> String {
+pub fn plate(contacts: usize) -> String {
     let list = |count: usize, one: &dyn Fn(usize) -> String| (0..count).map(one).collect::<Vec<_>>().join(",");
     let rows = list(contacts, &|k| {
         let [x, y] = [k % 64, k / 64].map(|place| place as f64 / 32.0 - 1.0);
