@@ -78,6 +78,11 @@ impl Dumps<'_> {
             _ => Ok(()),
         }
     }
+
+    /// The step that was asked for and did not come, for the motion was ended before.
+    pub fn missing(&self) -> Option<usize> {
+        self.step.map(|(wanted, _)| wanted).filter(|wanted| *wanted > self.seen)
+    }
 }
 
 /// Writes `name.json` and `name-solution.json`, with keys where bodies and features tell the contacts apart.

@@ -47,6 +47,7 @@ mod solve;
 mod solver_options;
 mod solver_table;
 mod systems;
+mod time_limit;
 mod verify;
 
 use crate::{Error, Result};

@@ -69,13 +69,14 @@ pub fn print_aside(text: &str) {
     let _ = std::io::stderr().write_all(text.as_bytes());
 }
 
-/// The answer of a command in JSON where a solver gave none: its failure on standard output, or beside it on standard error.
+/// The answer of a command in JSON where a solver gave none: its failure, with what else is known of its end, on standard output, or
+/// beside it on standard error.
 ///
 /// # Errors
 /// Any other error, as it is.
-pub fn no_answer(error: Error, no_solution: Option<String>, aside: bool) -> Result<Answer> {
+pub fn no_answer(error: Error, ending: impl FnOnce(NoAnswer) -> NoAnswer, aside: bool) -> Result<Answer> {
     let Some(failure) = NoAnswer::of(&error) else { return Err(error) };
-    let text = pretty(&failure.with_proof(no_solution))?;
+    let text = pretty(&ending(failure))?;
     if aside {
         print_aside(&text)
     } else {

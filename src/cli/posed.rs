@@ -39,7 +39,8 @@ pub fn constraints(posed: &Posed) -> usize {
 /// Refuses what takes more memory than is allowed before it is begun.
 pub fn require_memory(posed: &Posed) -> Result<()> {
     match posed {
-        Posed::Contacts(problem) if !problem.delassus().has_blocks() => {
+        // a W by blocks or bodies is measured by the solvers that need it whole
+        Posed::Contacts(problem) if problem.delassus().is_dense() => {
             memory::require(format_args!("solving {} rows", problem.rows()), 8 * memory::matrix(problem.rows(), problem.rows()))
         }
         // joints are measured when they are read

@@ -10,7 +10,7 @@ use super::progress;
 use super::scene::{count_steps, find, positive};
 use super::scheme_options::SchemeOptions;
 use super::solver_table::{self, check_name, with_table};
-use super::{Answer, Format};
+use super::{Answer, Format, time_limit};
 use crate::files::write_together;
 use crate::report::deepest;
 use crate::report::json::pretty;
@@ -18,10 +18,11 @@ use crate::report::motion::MotionReport;
 use crate::report::motion_page::MotionPage;
 use crate::report::plot;
 use crate::report::steps::StepSummary;
-use crate::report::summary::MotionSummary;
+use crate::report::summary::{Cut, MotionSummary};
 use crate::scenes::{self, ExactMotion, Linkage, Scene, Staged};
 use crate::schemes::{self, Scheme, Step};
-use crate::trajectory::{Producer, Trajectory};
+use crate::solvers::watch::watched;
+use crate::trajectory::{Producer, Recording, Trajectory};
 use crate::{Error, Result, solvers};
 use moreau_replicas::staging::{for_scheme, plastic_if_needed};
 use std::path::{Path, PathBuf};
@@ -60,6 +61,11 @@ pub struct Arguments {
     certificate: CertificateOptions,
     #[command(flatten)]
     dumps: DumpOptions,
+    /// End the motion after this time of computing, all steps together: the steps made are kept and written, the one that is being made is
+    /// left out and named, the exit code is 1, and the motion is marked as not reproducible. The time is looked at between steps and, within
+    /// a step, where solvers look for `--time-limit` of `moreau solve`.
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
+    time_limit: Option<f64>,
     /// Write the motion to this file, a trajectory/1.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -89,7 +95,8 @@ Examples:
   moreau simulate --scene my-scene.json --dump-rejected rejected
   moreau simulate --scene box-stack --dump-step 40 step40.json
 
-Exit code 1: the certificate rejects a step, or a step has no answer; --accept-rejected makes the first a warning.";
+Exit code 1: the certificate rejects a step, a step has no answer, or the time limit ended the motion;
+--accept-rejected makes the first a warning.";
 
 /// Who solves where nobody is named.
 const DEFAULT_SOLVER: &str = "auto";
@@ -102,7 +109,7 @@ fn default_solver(help: String) -> String {
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     match &arguments.scene {
         Some(scene) if !arguments.list => match simulate(arguments, scene) {
-            Err(error) if arguments.common.format == Format::Json => no_answer(error, None, false),
+            Err(error) if arguments.common.format == Format::Json => no_answer(error, |failure| failure, false),
             answer => answer,
         },
         _ => list(arguments.common.format).map(|()| Answer::Yes),
@@ -111,6 +118,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
 
 fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
     arguments.common.apply()?;
+    time_limit::check(arguments.time_limit)?;
     let scheme = arguments.options.build(&arguments.scheme)?;
     arguments.keep_files(scene)?;
     let chosen = arguments.solver.as_deref().unwrap_or(DEFAULT_SOLVER);
@@ -135,8 +143,15 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
         touched |= !step.impulses.is_empty();
         dumps.see(step)
     };
-    let simulated = || schemes::simulate_certified(scheme.as_ref(), &certified, mechanism, staged.start, arguments.step, steps, observe);
-    let recording = progress::shown(&bar, simulated).map_err(with_table)?;
+    let mut recording = Recording::new(mechanism.name(), scheme.name(), arguments.step, staged.start);
+    let simulated = || schemes::record_certified(scheme.as_ref(), &certified, mechanism, &mut recording, steps, observe);
+    let (ended, seen) = time_limit::within(arguments.time_limit, |over| progress::shown(&bar, || watched(over, simulated)));
+    let cut = match ended {
+        Err(_) if seen.interrupted => {
+            Some(Cut { step: recording.impulses.len() + 1, of: steps, time: recording.last().time - recording.samples[0].time })
+        }
+        ended => ended.map(|()| None).map_err(with_table)?,
+    };
     if arguments.solver.is_some() && touched && !solver.was_asked() {
         let problem = format!("does nothing in {}, which has an iteration of its own", arguments.scheme);
         return Err(Error::invalid("--solver", problem, "leave it out, or choose a scheme that poses contact problems"));
@@ -152,6 +167,8 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
         quantities: motion.summary(),
         remarks: scene.iter().filter_map(|scene| deepest::remark(&recording, mechanism, scene)).collect(),
         steps: StepSummary::of(&recording, mechanism),
+        reproducible: cut.is_none(),
+        cut,
     };
     write(arguments, &motion, scene.as_ref(), &summary)?;
     print(&match arguments.common.format {
@@ -161,7 +178,13 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
     if arguments.common.format == Format::Text {
         summary.remarks.iter().for_each(|remark| print_aside(&format!("remark: {remark}\n")));
     }
-    Ok(arguments.certificate.answer(summary.steps.rejected > 0))
+    let judged = arguments.certificate.answer(summary.steps.rejected > 0);
+    let Some(Cut { step, .. }) = cut else { return Ok(judged) };
+    print_aside(&format!("the time limit ended the motion in step {step}: exit code 1\n"));
+    if let Some(wanted) = dumps.missing() {
+        print_aside(&format!("--dump-step {wanted} wrote nothing: the motion was ended before\n"));
+    }
+    Ok(Answer::No)
 }
 
 /// Writes trajectory, picture and page, all or none; a linkage has a picture only.
@@ -172,7 +195,10 @@ fn write(arguments: &Arguments, motion: &MotionReport, scene: Option<&Scene>, su
         files.push((file, plot::svg_with_note(&title, &motion.left_out(), &motion.panels())?));
     }
     if let (Some(file), Some(scene)) = (&arguments.out, scene) {
-        let engine = Producer::ours(&motion.recording.scheme, summary.solver);
+        let mut engine = Producer::ours(&motion.recording.scheme, summary.solver);
+        if let Some(cut) = summary.cut {
+            engine.options.extend([("reproducible".into(), false.into()), ("cut".into(), serde_json::to_value(cut)?)]);
+        }
         files.push((file, Trajectory::from_recording(motion.recording, motion.mechanism, scene, engine)?.to_json()?));
     }
     if let (Some(file), Some(scene)) = (&arguments.html, scene) {

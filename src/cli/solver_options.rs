@@ -2,12 +2,11 @@
 
 use super::limits::check_tolerance;
 use super::solver_table::check_name;
+use super::time_limit;
 use crate::solvers::watch::Interrupt;
 use crate::solvers::{self, ContactSolver};
-use crate::tolerance::cli::{ASKED_SHARE, CERTIFY, LONGEST_SECONDS};
+use crate::tolerance::cli::{ASKED_SHARE, CERTIFY};
 use crate::{Error, Result};
-use std::sync::mpsc;
-use std::time::Duration;
 
 /// The residual that is asked for, and that the certificate accepts.
 #[derive(clap::Args)]
@@ -35,13 +34,7 @@ impl ToleranceOption {
     /// [`Error::Invalid`] names the option.
     pub fn check(&self) -> Result<()> {
         check_tolerance("--tolerance", self.accepted())?;
-        match self.time_limit {
-            Some(seconds) if !(seconds > 0.0 && seconds <= LONGEST_SECONDS) => {
-                let cure = format!("give a time above 0 and up to {LONGEST_SECONDS:e} seconds, or leave it out for no limit");
-                Err(Error::invalid("--time-limit", format!("is {seconds:?}"), cure))
-            }
-            _ => Ok(()),
-        }
+        time_limit::check(self.time_limit)
     }
 
     /// The solver of this name, with the limit of iterations and the tolerance that were asked for.
@@ -65,19 +58,6 @@ impl ToleranceOption {
 
     /// Runs `solve`, whose interrupt is given when the time is over.
     pub fn within_time<T>(&self, solve: impl FnOnce(&Interrupt) -> T) -> T {
-        let interrupt = Interrupt::default();
-        let Some(limit) = self.time_limit else { return solve(&interrupt) };
-        std::thread::scope(|scope| {
-            let (done, ended) = mpsc::channel::<()>();
-            let clock = interrupt.clone();
-            scope.spawn(move || {
-                if ended.recv_timeout(Duration::from_secs_f64(limit)) == Err(mpsc::RecvTimeoutError::Timeout) {
-                    clock.now();
-                }
-            });
-            let result = solve(&interrupt);
-            drop(done);
-            result
-        })
+        time_limit::within(self.time_limit, solve)
     }
 }

@@ -72,7 +72,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let claims = arguments.filters.select()?;
     if arguments.list {
         print(&match arguments.format {
-            Format::Text => text::list(&claims, style()),
+            Format::Text => style().fitted(&text::list(&claims, style())),
             Format::Json => pretty(&claims.iter().map(|&claim| ClaimEntry::from(claim)).collect::<Vec<_>>())?,
         })?;
         return Ok(Answer::Yes);

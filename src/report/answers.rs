@@ -39,6 +39,9 @@ pub struct AnswerLine {
     /// The file of the answer in its folder; absent where there is none, or where it stands in the file of the problem.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub answer: Option<String>,
+    /// Whether the same command ends so again; absent where nobody knows, as of an answer in a file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reproducible: Option<bool>,
     /// Why there is no answer, what is wrong with a file, or why the problem has no solution.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
@@ -72,7 +75,8 @@ impl AnswerLine {
     /// A problem to which a solver gave no answer, for this reason.
     pub fn without_answer(problem: String, contacts: usize, failure: &NoAnswer, reason: String) -> Self {
         let solver = Some(failure.solver().into());
-        AnswerLine { problem, status: failure.status(), contacts: Some(contacts), solver, reason: Some(reason), ..AnswerLine::default() }
+        let (status, reproducible) = (failure.status(), failure.reproducible());
+        AnswerLine { problem, status, contacts: Some(contacts), solver, reproducible, reason: Some(reason), ..AnswerLine::default() }
     }
 
     /// A problem with the certificate of its answer.
@@ -86,6 +90,7 @@ impl AnswerLine {
             relative: Some(relative),
             solution: certificate.accepts(),
             answer: None,
+            reproducible: certificate.reproducible(),
             reason: certificate.no_solution().map(str::to_string),
         }
     }

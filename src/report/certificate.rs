@@ -250,6 +250,11 @@ impl<'a> Certificate<'a> {
         self.status
     }
 
+    /// Whether the same command finds the answer again, where somebody knows.
+    pub fn reproducible(&self) -> Option<bool> {
+        self.reproducible
+    }
+
     /// Who proposed the answer; empty where nobody is named.
     pub fn solver(&self) -> &str {
         self.solver

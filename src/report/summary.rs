@@ -3,6 +3,7 @@
 use super::motion::{Quantity, lines};
 use super::steps::StepSummary;
 use super::text::Style;
+use crate::number::{significant, with_unit};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -27,6 +28,31 @@ pub struct MotionSummary<'a> {
     pub remarks: Vec<String>,
     /// What the certificate says of the steps.
     pub steps: StepSummary,
+    /// Whether the same command makes the same steps again.
+    pub reproducible: bool,
+    /// The step in which the time limit ended the motion; absent where it did not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cut: Option<Cut>,
+}
+
+/// Where the time limit ended a motion.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Cut {
+    /// The step that was being made, from 1; it is not kept, and those before it are.
+    pub step: usize,
+    /// How many steps were asked for.
+    pub of: usize,
+    /// The simulated time at which that step begins \[s\].
+    pub time: f64,
+}
+
+impl Cut {
+    /// For reading, in one sentence.
+    pub fn text(&self) -> String {
+        let Cut { step, of, time } = self;
+        let time = with_unit(&significant(*time), "s");
+        format!("ended by the time limit in step {step} of {of}, at t = {time}: that step is left out, and another run need not end there")
+    }
 }
 
 impl MotionSummary<'_> {
@@ -37,6 +63,7 @@ impl MotionSummary<'_> {
             [format!("scene {}", self.scene), format!("scheme {}, solver {}", self.scheme, self.solver), format!("closed form: {form}")];
         let line = |text: String| style.wrapped("", "  ", &text) + "\n";
         let head: String = head.into_iter().chain(self.note.map(|note| format!("note: {note}"))).map(line).collect();
-        head + &lines(&self.quantities) + &line(self.steps.text().trim_end().into())
+        let cut: String = self.cut.iter().map(|cut| line(cut.text())).collect();
+        head + &lines(&self.quantities) + &line(self.steps.text().trim_end().into()) + &cut
     }
 }

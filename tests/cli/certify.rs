@@ -349,3 +349,25 @@ fn the_example_in_the_help_parses_and_is_a_solution() {
     let written = moreau(&["new", "problem"]).json();
     assert_eq!(serde_json::from_str::<serde_json::Value>(&std::fs::read_to_string(&problem).expect("written")).expect("JSON"), written);
 }
+
+#[test]
+fn an_answer_too_large_for_proofs_is_none_with_proofs_as_without() {
+    let folder = Folder::new("certify-large");
+    let lcp = r#"{"schema": "lcp/1", "matrix": {"shape": [1, 1], "rows": [[1]]}, "vector": [-1]}"#;
+    let joined = r#"{"schema": "contact-problem/1", "name": "rod", "dimension": 1, "law": "frictionless", "friction": [0, 0],
+        "kinds": ["contact", {"bilateral": 1}], "free_velocity": [-3, -1.5],
+        "delassus": {"shape": [2, 2], "rows": [[1, 0.5], [0.5, 1]]}}"#;
+    for (k, (problem, rows)) in [(PROBLEM, 2), (lcp, 1), (joined, 2)].into_iter().enumerate() {
+        let problem = folder.file(&format!("{k}.json"), problem);
+        for (size, told) in [("1e308", true), ("1e150", false)] {
+            let answer = format!(r#"{{"schema": "solution/1", "impulse": [{}]}}"#, vec![size; rows].join(","));
+            let answer = folder.file("answer.json", &answer);
+            for more in [&[][..], &["--prove"]] {
+                let run = moreau(&[&["certify", &problem, &answer], more].concat());
+                assert_eq!(run.code, 1, "{problem} {size} {more:?}: {}{}", run.output, run.message);
+                let is_told = run.output.contains("no backward error is proved: the impulses move contacts faster than numbers tell");
+                assert_eq!(is_told, told && !more.is_empty(), "{}", run.output);
+            }
+        }
+    }
+}

@@ -201,7 +201,7 @@ fn the_event_driven_restitution_is_that_of_the_located_impact() {
 }
 
 /// A plate with so many contacts, all of one body: what one of them does moves all others.
-fn plate(contacts: usize) -> String {
+pub fn plate(contacts: usize) -> String {
     let list = |count: usize, one: &dyn Fn(usize) -> String| (0..count).map(one).collect::<Vec<_>>().join(",");
     let rows = list(contacts, &|k| {
         let [x, y] = [k % 64, k / 64].map(|place| place as f64 / 32.0 - 1.0);
@@ -229,4 +229,22 @@ fn a_sweep_that_takes_longer_than_the_time_limit_is_ended_within() {
         let run = moreau(&[&asked[..], &["--out", &answer, "--format", "json"]].concat());
         assert_eq!(run.json()["reproducible"], false, "{solver} ends within its first sweep: {}{}", run.output, run.message);
     }
+}
+
+#[test]
+fn a_problem_by_bodies_whose_w_has_no_room_is_solved_by_sweeps_that_need_none() {
+    let folder = Folder::new("limits-bodies");
+    // W of 600 contacts of one body would have 360 000 blocks, and a square matrix of 26 MB
+    let (problem, answer) = (folder.file("plate.json", &plate(600)), folder.path("answer.json"));
+    let asked = |word: &str, solver: &str| moreau(&[word, &problem, "--solver", solver, "--max-memory", "20MB"]);
+    let solve = moreau(&["solve", &problem, "--solver", "pgs", "--max-memory", "20MB", "--out", &answer]);
+    assert_eq!(solve.code, 0, "{}{}", solve.output, solve.message);
+    assert_eq!(moreau(&["certify", &problem, &answer, "--max-memory", "20MB"]).code, 0);
+    for solver in ["fischer-burmeister", "interior-point", "admm"] {
+        for word in ["solve", "bench"] {
+            asked(word, solver).is_refused(&["--max-memory", "the square Delassus matrix of this problem needs about 103.7 MB"]);
+        }
+    }
+    let run = moreau(&["solve", &problem, "--solver", "fischer-burmeister", "--iterations", "1", "--max-memory", "200MB"]);
+    assert!(run.code == 1 && !run.message.contains("panicked") && run.message.contains("iterations: 1"), "{}", run.message);
 }

@@ -3,6 +3,7 @@
 use super::{Folder, Run, moreau};
 use moreau::scenes::{LINKAGES, NAMES, named};
 use moreau::trajectory::Trajectory;
+use serde_json::Value;
 
 #[track_caller]
 fn quantity(run: &Run, name: &str) -> Option<f64> {
@@ -244,6 +245,37 @@ fn what_would_do_nothing_is_refused() {
     }
     assert_eq!(simulate(&["--solver", "lemke"]).code, 0, "a scheme that asks its solver");
     assert!(folder.names().is_empty(), "{:?}", folder.names());
+}
+
+#[test]
+fn a_motion_that_the_time_limit_ends_keeps_its_steps_and_says_where_it_ended() {
+    let folder = Folder::new("simulate-time");
+    let [out, page, picture, step] = ["out.json", "page.html", "picture.svg", "step.json"].map(|name| folder.path(name));
+    let asked = ["simulate", "--scene", "bouncing-ball", "--step", "1e-5", "--duration", "10", "--accept-rejected"];
+    for limit in ["1e-9", "0.1"] {
+        let files = ["--out", &out, "--html", &page, "--plot", &picture, "--dump-step", "1000000", &step];
+        let run = moreau(&[&asked[..], &["--time-limit", limit, "--format", "json"], &files].concat());
+        let json = run.json();
+        assert_eq!((run.code, &json["reproducible"], &json["cut"]["of"]), (1, &false.into(), &1_000_000.into()), "{}", run.message);
+        let cut = json["cut"]["step"].as_u64().expect("a number");
+        assert_eq!(json["steps"]["steps"], cut - 1);
+        assert!(run.message.contains(&format!("ended the motion in step {cut}: exit code 1")), "{}", run.message);
+        assert!(run.message.contains("--dump-step 1000000 wrote nothing"), "{}", run.message);
+        let written: Value = serde_json::from_str(&std::fs::read_to_string(&out).expect("written")).expect("JSON");
+        assert_eq!(written["times"].as_array().expect("a list").len() as u64, cut);
+        assert_eq!((&written["engine"]["options"]["reproducible"], &written["engine"]["options"]["cut"]), (&false.into(), &json["cut"]));
+        let told = format!("ended by the time limit in step {cut} of 1000000");
+        assert!(std::fs::read_to_string(&page).expect("written").contains(&told));
+        assert_eq!(folder.names(), ["out.json", "page.html", "picture.svg"]);
+    }
+    let run = moreau(&[&asked[..], &["--time-limit", "1e-9"]].concat());
+    assert!(run.code == 1 && run.output.contains("another run need not end there"), "{}", run.output);
+    // time enough changes nothing
+    let short = |more: &[&str]| moreau(&[&["simulate", "--scene", "bouncing-ball", "--step", "0.01", "--format", "json"], more].concat());
+    let (free, limited) = (short(&[]), short(&["--time-limit", "1e5"]));
+    assert_eq!((limited.code, &limited.output), (0, &free.output));
+    assert!(free.json()["reproducible"] == true && free.json().get("cut").is_none(), "{}", free.output);
+    short(&["--time-limit", "0"]).is_refused(&["--time-limit", "above 0"]);
 }
 
 #[test]

@@ -231,6 +231,25 @@ fn an_answer_of_a_time_limit_is_marked() {
 }
 
 #[test]
+fn a_solver_that_the_time_limit_leaves_without_an_answer_is_marked_too() {
+    let folder = Folder::new("solve-time-none");
+    let problem = folder.file("plate.json", &super::limits::plate(512));
+    let answers = folder.path("answers");
+    let words = ["--solver", "admm", "--time-limit", "1e-9", "--format", "json"];
+    let alone = moreau(&[&["solve", &problem, "--out", &folder.path("answer.json")], &words[..]].concat());
+    let several = moreau(&[&["solve", &folder.path(""), "--out", &answers], &words[..]].concat());
+    let line = &several.json()["problems"][0];
+    for (run, json) in [(&alone, &alone.json()), (&several, line)] {
+        assert_eq!((run.code, &json["status"], &json["reproducible"]), (1, &"limit".into(), &false.into()), "{}", run.message);
+    }
+    let run = moreau(&["solve", &problem, "--solver", "admm", "--time-limit", "1e-9"]);
+    assert!(run.code == 1 && run.message.contains("ended by the time limit"), "{}", run.message);
+    // what is refused, with or without a limit, is refused again
+    let run = moreau(&["solve", &problem, "--solver", "apgd", "--time-limit", "1e5", "--format", "json", "--out", &answers]);
+    assert!(run.json()["status"] == "refused" && run.json().get("reproducible").is_none(), "{}", run.output);
+}
+
+#[test]
 fn of_the_impulses_that_give_one_velocity_those_of_least_norm_are_chosen_on_request() {
     let folder = Folder::new("solve-least-norm");
     let twice = r#"{"schema": "contact-problem/1", "name": "twice", "dimension": 1, "law": "frictionless", "friction": [0, 0],

@@ -77,6 +77,7 @@ fn tables_fit_into_a_narrow_terminal_and_are_a_line_per_row_elsewhere() {
     for columns in [60, 80] {
         listings.iter().for_each(|arguments| fits(&within(columns, arguments), columns));
     }
+    fits(&within(60, &["verify", "--list"]), 60);
     let list = moreau(&["problems", "list", "--to", "2"]).output;
     assert!(list.lines().all(|line| !line.starts_with(' ')), "{list}");
 }

@@ -251,11 +251,6 @@ impl Problem {
         }
     }
 
-    /// How many rows all contacts and joints have.
-    pub fn rows_in_all(&self) -> usize {
-        self.rows()
-    }
-
     /// An impulse \[N·s\] that fits.
     ///
     /// # Errors

@@ -8,7 +8,7 @@ use crate::interrupt;
 use crate::posing::{Arguments, pose};
 use crate::problem::Problem;
 use moreau::cli::posed;
-use moreau::problem::Posed;
+use moreau::problem::{Posed, WarmStart};
 use moreau::solvers::watch::{Interrupt, watched};
 use moreau::solvers::{ALL, ContactSolver};
 use moreau::tolerance::certificate::CERTIFY;
@@ -147,8 +147,14 @@ fn asked(name: &str, tolerance: Option<f64>, iterations: Option<usize>) -> morea
 
 fn start_of(problem: &Problem, start: &Bound<'_, PyAny>) -> PyResult<DVector<f64>> {
     match start.cast::<Solution>() {
-        Ok(solution) if solution.get().solution.impulse.len() == problem.rows_in_all() => Ok(solution.get().solution.impulse.clone()),
-        Ok(_) => Err(invalid(start.py(), "warm_start", "answers a problem of another size", "give impulses of this problem")),
+        Ok(solution) => {
+            let Solution { solution, posed, .. } = solution.get();
+            let mut answer = moreau::Solution::clone(solution);
+            answer.keys = answer.keys.or_else(|| posed::keys(posed));
+            WarmStart::of_solution(&answer, &problem.posed).map(|start| start.impulse).map_err(|error| {
+                invalid(start.py(), "warm_start", format!("answers another problem: {error}"), "give impulses of this problem")
+            })
+        }
         Err(_) => problem.fitting("warm_start", start),
     }
 }

@@ -247,6 +247,27 @@ def test_a_warm_start_and_a_solution_are_taken():
     assert mc.solve(problem.with_law("frictionless")).impulse.tolist() == [1, 0, 0]
 
 
+def test_a_warm_start_goes_by_the_keys_of_the_contacts_where_both_have_them():
+    def balls(bodies, keyed=True):
+        n = len(bodies)
+        keys = [{"bodies": [body, None], "features": [0, 0]} for body in bodies]
+        return mc.Problem.from_json(json.dumps({
+            "schema": "contact-problem/1", "name": f"of {n}", "dimension": 1, "law": "frictionless", "friction": [0] * n,
+            "free_velocity": [-float(body) for body in bodies], **({"keys": keys} if keyed else {}),
+            "delassus": {"shape": [n, n], "rows": np.eye(n).tolist()}}))
+
+    before = mc.solve(balls([5, 7, 8]))
+    assert before.impulse.tolist() == [5, 7, 8]
+    # no sweep is made: what is judged is the start
+    after = mc.solve(balls([8, 9, 5, 7]), solver="pgs", iterations=0, warm_start=before, accept_rejected=True)
+    assert after.impulse.tolist() == [8, 0, 5, 7]
+    for other in (balls([8, 9, 5, 7], keyed=False), balls([5, 7, 8, 9], keyed=False)):
+        with pytest.raises(mc.InvalidInput, match="warm_start.*has size 3; give size 4"):
+            mc.solve(other, warm_start=before)
+    by_position = mc.solve(balls([8, 7, 5], keyed=False), solver="pgs", iterations=0, warm_start=before, accept_rejected=True)
+    assert by_position.impulse.tolist() == [5, 7, 8]
+
+
 def test_files_are_those_of_the_command(command, tmp_path):
     problem = mc.Problem(np.eye(2), [-1.0, 2.0], [0.5], name="block")
     problem.write(tmp_path / "problem.json")

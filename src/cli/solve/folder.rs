@@ -96,10 +96,10 @@ fn told(outcome: Result<Outcome>, (name, contacts): (String, usize), arguments: 
             let line = AnswerLine::answered(name, contacts, &certificate, answered.relative());
             Ok(AnswerLine { answer: Some(several::name(file)), ..line })
         }
-        Ok(Outcome::None { error, proof }) => Ok(match NoAnswer::of(&error) {
+        Ok(Outcome::None { error, proof, interrupted }) => Ok(match NoAnswer::of(&error) {
             Some(failure) => {
                 let reason = proof.clone().unwrap_or_else(|| several::reason(&error));
-                AnswerLine::without_answer(name, contacts, &failure.with_proof(proof), reason)
+                AnswerLine::without_answer(name, contacts, &failure.with_proof(proof).ended_by_time(interrupted), reason)
             }
             None => AnswerLine::bad_input(name, Some(contacts), several::reason(&error)),
         }),

@@ -33,9 +33,12 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let solve = || solved(arguments, &*solver, &arguments.problem, problem, start.as_ref());
     match progress::shown(&progress::word("solving"), solve)? {
         Outcome::Answer(answered) => written(arguments, &answered),
-        Outcome::None { error, proof } => {
+        Outcome::None { error, proof, interrupted } => {
             if arguments.common.format == Format::Json {
-                return no_answer(error, proof, arguments.out.is_none());
+                return no_answer(error, |failure| failure.with_proof(proof).ended_by_time(interrupted), arguments.out.is_none());
+            }
+            if interrupted {
+                print_aside("ended by the time limit: another run may find an answer\n");
             }
             if let Some(proof) = proof {
                 print_aside(&proof);

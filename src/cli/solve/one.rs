@@ -23,6 +23,8 @@ pub enum Outcome {
         error: Error,
         /// Why there is no solution, where that is proved.
         proof: Option<String>,
+        /// Whether the time limit ended the solver.
+        interrupted: bool,
     },
 }
 
@@ -53,7 +55,7 @@ pub fn solved(
         Err(error) => {
             // what is refused as it stands has its own message
             let proof = NoAnswer::of(&error).filter(|_| !seen.interrupted).and_then(|_| posed::refuted(&problem));
-            return Ok(Outcome::None { error, proof });
+            return Ok(Outcome::None { error, proof, interrupted: seen.interrupted });
         }
     };
     let (mut solution, not_least_norm) = if arguments.least_norm { smallest(&problem, solution, file)? } else { (solution, None) };

@@ -54,6 +54,7 @@ impl MotionPage<'_> {
                     (with_unit(&significant(self.motion.recording.time_step), "s")) ". Computed by moreau " (VERSION) "."
                 }
                 p class={ "steps " (self.verdict()) } { (summary.steps.text().trim_end()) "." }
+                @if let Some(cut) = &summary.cut { p.steps.fail { (cut.text()) "." } }
                 @if let Some(note) = summary.note { p { "Note: " (note) "." } }
                 @for remark in &summary.remarks { p { "Remark: " (remark) } }
                 noscript { p.fail { "The motion is drawn by a script, which this browser does not run. The numbers below need none." } }

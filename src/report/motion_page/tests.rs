@@ -26,6 +26,8 @@ fn page(steps: usize, change: impl Fn(&mut Recording)) -> (String, Value) {
         quantities: motion.summary(),
         remarks: vec!["deep <i>".into()],
         steps,
+        reproducible: true,
+        cut: None,
     };
     let html = MotionPage { motion: &motion, scene: &scene, summary: &summary }.html().expect("a page");
     let json = Data::new(&motion, &scene).and_then(|data| data.json()).expect("data");

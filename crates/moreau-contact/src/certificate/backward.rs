@@ -81,7 +81,8 @@ pub(super) fn of_rows(problem: &ContactProblem, impulse: &DVector<f64>, joints: 
     let velocity = problem.law_velocity(impulse);
     let largest = f64::MAX.sqrt();
     if !velocity.iter().chain(impulse.iter()).all(|number| number.abs() < largest) {
-        return Err(Error::invalid("impulse", "moves contacts faster than numbers tell", "rescale the units of the problem"));
+        let reason = "not proved: the impulses move contacts faster than numbers tell; rescale the units of the problem";
+        return Err(Error::Unsupported(reason.into()));
     }
     let rows = problem.rows_per_contact();
     let polygon = problem.law().directions().map(Polygon::new);

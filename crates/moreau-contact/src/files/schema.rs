@@ -48,11 +48,17 @@ pub fn schema_of<'a>(text: &str, schemas: &[&'a str]) -> Result<&'a str> {
 /// [`Error::Json`] if the text is not JSON; [`Error::Invalid`] names the field where it is not what the schema says.
 pub fn read_object<T: DeserializeOwned>(text: &str, schema: &str) -> Result<T> {
     serde_json::from_str(text).map_err(|error| {
-        let mut reader = serde_json::Deserializer::from_str(text);
-        // read once more: to know the path on the way costs time, and only this text needs it
-        let path = serde_path_to_error::deserialize::<_, T>(&mut reader).err().map(|failed| failed.path().clone());
+        // read once more: to know the path on the way costs time, and only this text needs it. Where it is no JSON everything is looked
+        // at, also what T passes over
+        let path = if error.is_syntax() { path_in::<serde_json::Value>(text) } else { path_in::<T>(text) };
         name_field(text, schema, error, path.as_ref())
     })
+}
+
+/// The path to the place where reading a T ends.
+fn path_in<T: DeserializeOwned>(text: &str) -> Option<Path> {
+    let mut reader = serde_json::Deserializer::from_str(text);
+    serde_path_to_error::deserialize::<_, T>(&mut reader).err().map(|failed| failed.path().clone())
 }
 
 /// The error with the last key before the place where reading stopped, and the path to it.
@@ -66,6 +72,9 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error, path: Option<&
     }
     let (problem, cure) = if error.to_string().starts_with("number out of range") {
         (error.to_string(), "use a finite number".to_string())
+    } else if error.to_string().starts_with("recursion limit") {
+        let problem = format!("holds lists and objects within each other too deep to be read: {error}");
+        (problem, format!("nest at most {DEEPEST} of them, the whole file counted"))
     } else if error.classify() == Category::Syntax {
         (format!("not valid JSON: {error}"), cure_of_syntax(word_at(text, error.line(), error.column())))
     } else {
@@ -79,6 +88,9 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error, path: Option<&
         None => Error::Json(error),
     }
 }
+
+/// Lists and objects within each other that the reader of JSON takes.
+const DEEPEST: usize = 127;
 
 /// A field with the objects and lists around it, as `bodies[0].position`.
 fn within(path: Option<&Path>, field: String) -> String {
@@ -231,5 +243,23 @@ mod tests {
         assert!(message(&whole.replace(r#","second":2"#, "")).contains("`pairs[1].second`: missing"));
         let alone = format!(r#"{{"schema":"pairs/1","pairs":[],"one":{}}}"#, whole.replace(":2", ":[]"));
         assert!(read_schema::<Pairs>(&alone, "pairs/1").unwrap_err().to_string().contains("`one.second`"));
+        // what is no JSON is found before fields are looked at
+        assert!(message(&whole.replace("[1]", "[1,]")).contains("`pairs[1].first`: not valid JSON"));
+        let alone = format!(r#"{{"schema":"pairs/1","pairs":[],"one":{{"of":{{"of":{whole}}}}}}}"#).replace("[1]", "[1 2]");
+        assert!(read_schema::<Pairs>(&alone, "pairs/1").unwrap_err().to_string().contains("`one.of.of.first`: not valid JSON"));
+    }
+
+    #[test]
+    fn what_is_nested_too_deep_is_told_so_and_not_as_a_missing_bracket() {
+        #[derive(Debug, Deserialize)]
+        #[allow(dead_code)]
+        struct Opaque {
+            anything: serde_json::Value,
+        }
+        let nested = |lists: usize| format!(r#"{{"schema":"opaque/1","anything":{}{}}}"#, "[".repeat(lists), "]".repeat(lists));
+        assert!(read_schema::<Opaque>(&nested(DEEPEST - 1), "opaque/1").is_ok(), "one more is the object around them");
+        let message = read_schema::<Opaque>(&nested(DEEPEST), "opaque/1").unwrap_err().to_string();
+        assert!(message.contains("`anything`: holds lists") && message.contains("nest at most 127"), "{message}");
+        assert!(!message.contains("a bracket"), "{message}");
     }
 }

@@ -21,6 +21,7 @@
 use super::ContactSolver;
 use super::shifted_operator::{Shifted, ShiftedOperator};
 use super::stopping::Stopping;
+use super::watch;
 use crate::certificate::natural_map;
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::solvers as tolerance;
@@ -89,10 +90,10 @@ impl ContactSolver for AlternatingDirections {
         let mut z = scaled.corrected(&(scaled.operator.apply(&x) + &scaled.free));
         let mut cone = x.clone();
         super::project(problem, &mut cone);
-        let (mut done, mut held, mut changes) = (0, 0, 0);
+        let (mut done, mut held, mut changes, mut is_over) = (0, 0, 0, false);
         let mut before_overflow = DVector::zeros(0);
         loop {
-            if done == self.iterations || done % tolerance::LOOK == 0 {
+            if is_over || done == self.iterations || done % tolerance::LOOK == 0 {
                 let impulse = &cone * unit;
                 let law_velocity = problem.law_velocity(&impulse);
                 if impulse.iter().chain(&law_velocity).all(|x| x.is_finite()) {
@@ -100,7 +101,7 @@ impl ContactSolver for AlternatingDirections {
                 } else {
                     require_no_descent(problem, &before_overflow)?;
                 }
-                if done == self.iterations || stopping.holds(&impulse, &law_velocity) {
+                if is_over || done == self.iterations || stopping.holds(&impulse, &law_velocity) {
                     let velocity = problem.velocity(&impulse);
                     return super::finite(Solution::new(NAME, impulse, velocity, done));
                 }
@@ -110,8 +111,14 @@ impl ContactSolver for AlternatingDirections {
             z -= (&x - &cone) * scaled.penalty;
             (done, held) = (done + 1, held + 1);
             let residuals = ((&x - &cone).amax(), scaled.penalty.max(tolerance::ADMM_PROXIMAL) * (&x - before).amax());
-            if held > changes && scaled.balance(residuals)? {
-                (held, changes) = (0, changes + 1);
+            if held > changes {
+                match scaled.balance(residuals) {
+                    Ok(true) => (held, changes) = (0, changes + 1),
+                    Ok(false) => {}
+                    // a factorisation that was ended early leaves the impulses so far
+                    Err(_) if watch::was_over() => is_over = true,
+                    Err(error) => return Err(error),
+                }
             }
         }
     }
@@ -227,6 +234,25 @@ mod tests {
                 assert!((answer.impulse - DVector::from_vec(vec![1.0, 0.0])).amax() <= 8.0 * tolerance::STOP, "{law:?}");
             }
         }
+    }
+
+    #[test]
+    fn what_is_ended_in_a_later_factorisation_leaves_the_impulses_so_far() {
+        let one = DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 64.0]));
+        let blocks = crate::operator::BlockSparse::new(2, 1, vec![(0, 0, one)]).unwrap();
+        let problem = block(Law::Coulomb).into_builder().delassus(blocks).build().unwrap();
+        let solver = AlternatingDirections::default();
+        let whole = solver.solve(&problem, None).unwrap().iterations;
+        let ended: Vec<_> = (0..)
+            .map(|asks| watch::watched_until(asks, || solver.solve(&problem, None)))
+            .take_while(|(_, seen)| seen.interrupted)
+            .collect();
+        let answered = ended.iter().skip_while(|(answer, _)| answer.is_err());
+        let iterations: Vec<usize> =
+            answered.map(|(answer, _)| answer.as_ref().expect("none before the first factor").iterations).collect();
+        assert!(ended[0].0.is_err() && iterations[0] == 0 && iterations.iter().all(|done| *done <= whole), "{iterations:?} of {whole}");
+        let between_looks = iterations.iter().filter(|done| *done % tolerance::LOOK != 0).count();
+        assert!(between_looks > 0, "a factor is changed between two looks: {iterations:?}");
     }
 
     #[test]

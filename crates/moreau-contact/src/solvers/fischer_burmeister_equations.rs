@@ -31,7 +31,7 @@ impl<'a> ConeEquations<'a> {
     pub(super) fn new(problem: &'a ContactProblem) -> Result<Self> {
         let operator = match problem.delassus().blocks() {
             Some(blocks) => Cow::Borrowed(blocks),
-            None => Cow::Owned(BlockSparse::from_sparse(&Sparse::of(problem.dense()), problem.rows_per_contact())?),
+            None => Cow::Owned(BlockSparse::from_sparse(&Sparse::of(problem.afforded_dense()?), problem.rows_per_contact())?),
         };
         let systems = ContactSystems::new(problem, &operator);
         Ok(ConeEquations { problem, operator, systems, weights: Judge::weights(problem) })

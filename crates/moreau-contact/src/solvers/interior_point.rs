@@ -145,7 +145,7 @@ impl<'a> Path<'a> {
         }
         let operator = match problem.delassus().blocks() {
             Some(blocks) => Cow::Borrowed(blocks),
-            None => Cow::Owned(BlockSparse::from_sparse(&Sparse::of(problem.dense()), rows)?),
+            None => Cow::Owned(BlockSparse::from_sparse(&Sparse::of(problem.afforded_dense()?), rows)?),
         };
         let is_symmetric = problem.law() == Law::Associated
             && (0..problem.contacts()).all(|k| super::cone_friction(problem, k) > 0.0)

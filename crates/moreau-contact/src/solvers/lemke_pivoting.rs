@@ -8,7 +8,7 @@ use super::lemke::{LemkeOutcome, lemke};
 use super::linear_form::{Form, Scaled};
 use super::{ContactSolver, NonsmoothNewton};
 use crate::certificate::Judge;
-use crate::problem::{ContactProblem, Coordinates, Law, Lcp, Solution};
+use crate::problem::{ContactProblem, Coordinates, Law, Solution};
 use crate::tolerance::solvers::{ENOUGH, SOFTENED};
 use moreau_exact::error::Failure;
 use moreau_exact::{Error, Result};
@@ -44,7 +44,7 @@ impl ContactSolver for LemkePivoting {
         let form = Form::of(problem, NAME)?;
         // pivoting starts from nothing, but impulses of another problem are a mistake here too
         super::start(problem, warm_start)?;
-        let lcp = Scaled::new(&form.lcp(problem)?, form.scale(problem));
+        let lcp = form.scaled(problem, &form.lcp(problem)?);
         let (mut judge, mut best, mut failure) = (Judge::default(), None::<(f64, Solution)>, None);
         for covering in lcp.coverings() {
             match lcp.solve(&covering) {
@@ -125,13 +125,13 @@ impl Scaled {
     fn softened(&self) -> Scaled {
         let size = self.lcp.size();
         let matrix = &self.lcp.matrix + DMatrix::from_diagonal_element(size, size, SOFTENED);
-        Scaled { lcp: Lcp::new(matrix, self.lcp.vector.clone()), scale: self.scale.clone(), size: self.size }
+        self.with_matrix(matrix)
     }
 
     /// z and the pivots.
     fn solve(&self, covering: &DVector<f64>) -> Result<(DVector<f64>, usize)> {
         match lemke(&self.lcp, covering)? {
-            LemkeOutcome::Solution { z, pivots } => Ok((z.component_mul(&self.scale) * self.size, pivots)),
+            LemkeOutcome::Solution { z, pivots } => Ok((self.unscaled(&z), pivots)),
             LemkeOutcome::Ray { .. } => Err(Error::ray(NAME, SECONDARY_RAY)),
         }
     }

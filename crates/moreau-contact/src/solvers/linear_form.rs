@@ -7,6 +7,7 @@
 //!     edges             polyhedral associated      M = Gᵀ(W + R)G + R_edge, columns n + μ Dⱼ; associated in the plane
 //! ```
 
+use super::balanced::balanced;
 use crate::certificate::polyhedral_solutions::friction_lcp;
 use crate::certificate::true_operator::operator;
 use crate::cones::polyhedral;
@@ -202,26 +203,47 @@ impl Form {
         Solution { beta, sigma, ..Solution::new(solver, impulse.clone(), problem.velocity(&impulse), steps) }
     }
 
-    /// 0 ≤ z′ ⟂ S M S z′ + S q/κ ≥ 0 with κ = max |S q|, of the same supports.
-    pub(super) fn scaled(self, problem: &ContactProblem, lcp: &Lcp<f64>) -> Lcp<f64> {
-        Scaled::new(lcp, self.scale(problem)).lcp
+    /// The problem in units of its own, of the same supports.
+    pub(super) fn scaled(self, problem: &ContactProblem, lcp: &Lcp<f64>) -> Scaled {
+        Scaled::new(lcp, self.scale(problem))
     }
 }
 
-/// 0 ≤ z′ ⟂ S M S z′ + S q/κ ≥ 0 with κ = max |S q|; z = κ S z′.
+/// 0 ≤ z′ ⟂ S M S z′ + S q/κ ≥ 0 with κ = max |S q|; z = κ S z′. Where rows or columns of S M S are of several sizes, R S M S C and R S q
+/// stand in its place, with powers of two R and C, and S C in place of S in z (`balanced.rs`).
 pub(super) struct Scaled {
     pub(super) lcp: Lcp<f64>,
     pub(super) scale: DVector<f64>,
     pub(super) size: f64,
+    is_balanced: bool,
 }
 
 impl Scaled {
     pub(super) fn new(lcp: &Lcp<f64>, scale: DVector<f64>) -> Scaled {
         let matrix = DMatrix::from_fn(lcp.size(), lcp.size(), |i, j| scale[i] * lcp.matrix[(i, j)] * scale[j]);
-        let vector = lcp.vector.component_mul(&scale);
+        let own = Lcp::new(matrix, lcp.vector.component_mul(&scale));
+        let (Lcp { matrix, vector }, scale, is_balanced) = match balanced(&own) {
+            Some((balanced, columns)) => (balanced, scale.component_mul(&columns), true),
+            None => (own, scale, false),
+        };
         let size = vector.iter().fold(0.0, |largest: f64, q| largest.max(q.abs()));
         let size = if size > 0.0 { size } else { 1.0 };
-        Scaled { lcp: Lcp::new(matrix, vector / size), scale, size }
+        Scaled { lcp: Lcp::new(matrix, vector / size), scale, size, is_balanced }
+    }
+
+    /// The same with another matrix.
+    pub(super) fn with_matrix(&self, matrix: DMatrix<f64>) -> Scaled {
+        Scaled { lcp: Lcp::new(matrix, self.lcp.vector.clone()), scale: self.scale.clone(), ..*self }
+    }
+
+    /// z of a z′.
+    pub(super) fn unscaled(&self, z: &DVector<f64>) -> DVector<f64> {
+        z.component_mul(&self.scale) * self.size
+    }
+
+    /// z of a support, from the problem itself unless its rows or columns are of several sizes; `None` if a pivot is zero.
+    pub(super) fn on_support(&self, lcp: &Lcp<f64>, support: &[bool]) -> Option<DVector<f64>> {
+        if self.is_balanced { on_support(&self.lcp, support).map(|z| self.unscaled(&z)) } else { on_support(lcp, support) }
     }
 }
 

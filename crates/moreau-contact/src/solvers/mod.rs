@@ -40,6 +40,7 @@ mod accelerated_projected_gradient;
 mod alternating_directions;
 mod anderson;
 mod auto;
+mod balanced;
 mod barzilai_borwein;
 mod block_elimination;
 mod block_sweep;

@@ -82,9 +82,10 @@ impl ContactSolver for NewtonMin {
         let lcp = form.lcp(problem)?;
         let rows = problem.rows_per_contact();
         let guess = start.as_slice().chunks_exact(rows).map(|contact| contact[0] > 0.0).collect();
-        let (z, steps) = self.solve_lcp(&form.scaled(problem, &lcp), guess)?;
+        let scaled = form.scaled(problem, &lcp);
+        let (z, steps) = self.solve_lcp(&scaled.lcp, guess)?;
         let support: Vec<bool> = z.iter().map(|z| *z > 0.0).collect();
-        let z = on_support(&lcp, &support).ok_or_else(|| Error::breakdown(NAME, "ended on a singular basis; use `lemke`"))?;
+        let z = scaled.on_support(&lcp, &support).ok_or_else(|| Error::breakdown(NAME, "ended on a singular basis; use `lemke`"))?;
         super::finite(form.solution(problem, &z, NAME, steps))
     }
 }

@@ -9,9 +9,9 @@
 //! otherwise is refused, with the row: nothing is said of it. If M is positive semidefinite, the second method ends at a solution or shows
 //! that no z ≥ 0 has w ≥ 0.
 
+use super::ContactSolver;
 use super::linear_form::Form;
 use super::principal_tableau::PrincipalTableau;
-use super::{ContactSolver, on_support};
 use crate::problem::{ContactProblem, Law, Lcp, Solution};
 use crate::tolerance::complementarity::{COVERING_MODULUS, PIVOTS_AT_ONE_PARAMETER, PRINCIPAL_PIVOTS, negligible};
 use moreau_exact::scalar::Scalar;
@@ -215,9 +215,10 @@ fn through(
     let form = Form::frictionless(problem, name)?;
     super::start(problem, warm_start)?;
     let lcp = form.lcp(problem)?;
-    match basis(&form.scaled(problem, &lcp))? {
+    let scaled = form.scaled(problem, &lcp);
+    match basis(&scaled.lcp)? {
         PrincipalOutcome::Basis(support, pivots) => {
-            let z = on_support(&lcp, &support).ok_or_else(|| Error::breakdown(name, "ended on a singular basis; use `lemke`"))?;
+            let z = scaled.on_support(&lcp, &support).ok_or_else(|| Error::breakdown(name, "ended on a singular basis; use `lemke`"))?;
             super::finite(form.solution(problem, &z, name, pivots))
         }
         PrincipalOutcome::Infeasible(row) => {

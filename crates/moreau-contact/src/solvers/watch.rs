@@ -73,7 +73,15 @@ pub(super) fn note(relative: f64) {
 }
 
 /// Runs `solve` on another problem than the one that is watched, whose residuals are not noted; an interrupt ends it all the same.
-pub(super) fn unnoted<T>(solve: impl FnOnce() -> T) -> T {
+/// ```
+/// use moreau_contact::solvers::watch::{Interrupt, is_over, unnoted, watched};
+///
+/// let interrupt = Interrupt::default();
+/// interrupt.now();
+/// let (found, seen) = watched(&interrupt, || unnoted(is_over));
+/// assert!(found && seen.interrupted && seen.history.is_empty());
+/// ```
+pub fn unnoted<T>(solve: impl FnOnce() -> T) -> T {
     let length = || WATCH.with_borrow(|watch| watch.as_ref().map_or(0, |watch| watch.seen.history.len()));
     let before = length();
     let result = solve();
@@ -91,6 +99,8 @@ pub(super) fn unnoted<T>(solve: impl FnOnce() -> T) -> T {
 /// assert!(!is_over(), "nobody watches");
 /// ```
 pub fn is_over() -> bool {
+    #[cfg(test)]
+    tests::count_down();
     WATCH.with_borrow_mut(|watch| {
         watch.as_mut().is_some_and(|watch| {
             let given = watch.interrupt.is_given();
@@ -100,12 +110,49 @@ pub fn is_over() -> bool {
     })
 }
 
+/// Whether an iteration that is watched was told to end, so that what it gives is not what another run need find.
+/// ```
+/// use moreau_contact::solvers::watch::{Interrupt, is_over, was_over, watched};
+///
+/// let interrupt = Interrupt::default();
+/// interrupt.now();
+/// assert_eq!(watched(&interrupt, || (was_over(), is_over(), was_over())).0, (false, true, true), "nobody had asked at first");
+/// assert!(!was_over(), "nobody watches");
+/// ```
+pub fn was_over() -> bool {
+    WATCH.with_borrow(|watch| watch.as_ref().is_some_and(|watch| watch.seen.interrupted))
+}
+
+#[cfg(test)]
+pub(super) use tests::watched_until;
+
 #[cfg(test)]
 mod tests {
     use super::super::{AlternatingDirections, ContactSolver};
     use super::*;
     use crate::problem::{ContactProblem, Law};
     use nalgebra::{DMatrix, DVector};
+
+    thread_local! {
+        static ASKS: std::cell::Cell<usize> = const { std::cell::Cell::new(usize::MAX) };
+    }
+
+    /// Gives the word when it was asked for often enough.
+    pub(super) fn count_down() {
+        let left = ASKS.get();
+        ASKS.set(left.saturating_sub(usize::from(left != usize::MAX)));
+        if left == 0 {
+            WATCH.with_borrow(|watch| watch.iter().for_each(|watch| watch.interrupt.now()));
+        }
+    }
+
+    /// [`watched`], with the word given at the asking after `asks` others.
+    pub(in super::super) fn watched_until<T>(asks: usize, solve: impl FnOnce() -> T) -> (T, Seen) {
+        ASKS.set(asks);
+        let found = watched(&Interrupt::default(), solve);
+        ASKS.set(usize::MAX);
+        found
+    }
 
     fn block() -> ContactProblem {
         ContactProblem::new(DMatrix::identity(2, 2), DVector::from_vec(vec![-0.8, 0.6]))

@@ -29,6 +29,15 @@ pub fn words_of_work(entries: usize, bits: usize) -> u64 {
 /// Set.
 pub const EXACT_MINORS: usize = 1 << 8;
 
+/// Powers of two by which the largest entries of two rows differ, or of two columns, up to which they are of one size: what pivots take
+/// for rounding is 2⁻⁴⁰ of the largest entry, and 2⁻³² of a row that is smaller by so much.
+/// Set.
+pub const ONE_SIZE: i32 = 8;
+
+/// Rounds in which rows and columns are brought to one size, one after the other: after four nothing changes on drawn problems.
+/// Set.
+pub const BALANCING_ROUNDS: usize = 8;
+
 /// Rows of a problem up to which its solutions are decided in fractions; above it signs are decided by enclosures.
 /// Required: of every proved answer to a linear complementarity problem, by the users of `moreau certify --prove`.
 pub const EXACT_ROWS: usize = 100;

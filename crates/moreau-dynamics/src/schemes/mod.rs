@@ -4,8 +4,8 @@ use crate::mechanics::{Mechanism, State};
 use crate::trajectory::Recording;
 use moreau_contact::certificate::StepResidual;
 use moreau_contact::memory;
-use moreau_contact::solvers::ContactSolver;
-use moreau_exact::Result;
+use moreau_contact::solvers::{ContactSolver, watch};
+use moreau_exact::{Error, Result};
 
 pub mod anitescu;
 pub mod assembly;
@@ -107,18 +107,35 @@ pub fn simulate_certified(
     initial: State,
     h: f64,
     steps: usize,
-    mut observe: impl FnMut(&Step) -> Result<()>,
+    observe: impl FnMut(&Step) -> Result<()>,
 ) -> Result<Recording> {
+    let mut recording = Recording::new(mechanism.name(), scheme.name(), h, initial);
+    record_certified(scheme, solver, mechanism, &mut recording, steps, observe)?;
+    Ok(recording)
+}
+
+/// [`simulate_certified`] onto a recording, from its last state and with its h; the steps that were made before an error stay in it.
+///
+/// # Errors
+/// Those of [`run_certified`]; if the recording would take more memory than is allowed.
+pub fn record_certified(
+    scheme: &dyn Scheme,
+    solver: &Certified,
+    mechanism: &dyn Mechanism,
+    recording: &mut Recording,
+    steps: usize,
+    mut observe: impl FnMut(&Step) -> Result<()>,
+) -> Result<()> {
+    let (initial, h) = (recording.last().clone(), recording.time_step);
     let sample = memory::matrix(initial.position.len() + initial.velocity.len(), 1) + size_of::<State>() as u128;
     memory::require(format_args!("recording {steps} steps of {}", mechanism.name()), steps as u128 * sample)?;
-    let mut recording = Recording::new(mechanism.name(), scheme.name(), h, initial.clone());
     let truncated = scheme.is_truncated() || solver.is_truncated();
     run_certified(scheme, solver, mechanism, initial, h, steps, |step| {
         recording.push_judged(step.state.clone(), step.impulses.clone(), step.residual, step.judgement(truncated));
         recording.locate(step.impacts.as_deref());
         observe(step)
-    })?;
-    Ok(recording)
+    })
+    .map(drop)
 }
 
 /// The motion of [`simulate`], shown step by step to `observe` and not kept; returns the last state.
@@ -140,10 +157,11 @@ pub fn run(
     })
 }
 
-/// [`run`] with the tolerance of a certifying solver; an error of `observe` ends the motion.
+/// [`run`] with the tolerance of a certifying solver; an error of `observe` ends the motion, and so does the interrupt of who
+/// [watches](watch::watched): a step in which a solver was ended early is none, and is not shown.
 ///
 /// # Errors
-/// Those of [`step`] and of `observe`.
+/// Those of [`step`] and of `observe`; [`moreau_exact::Error::Solver`], a limit, with the number of the step where it was interrupted.
 pub fn run_certified(
     scheme: &dyn Scheme,
     solver: &Certified,
@@ -160,7 +178,12 @@ pub fn run_certified(
     let mut remembering: Option<Box<dyn Scheme>> = None;
     for k in 1..=steps {
         let current = remembering.as_deref().unwrap_or(scheme);
-        let mut made = certified_step(current, solver, &Start { mechanism, state: &state, h, previous: carried.impulses() })?;
+        let start_of_step = Start { mechanism, state: &state, h, previous: carried.impulses() };
+        let made = (!watch::is_over()).then(|| watch::unnoted(|| certified_step(current, solver, &start_of_step)));
+        let Some(made) = made.filter(|_| !watch::was_over()) else {
+            return Err(Error::limit(name, format!("the motion was ended in step {k} of {steps}")));
+        };
+        let mut made = made?;
         let successor = current.successor(mechanism, &state, &made, h)?;
         remembering = successor.or(remembering);
         made.state.time = start + k as f64 * h;
@@ -208,6 +231,51 @@ mod tests {
             self.warm.fetch_add(warm.iterations, Relaxed);
             self.cold.fetch_add(cold.iterations, Relaxed);
             Ok(warm)
+        }
+    }
+
+    /// Ends the motion in its third answer: before it looks, or after it looked last.
+    struct Ending {
+        interrupt: watch::Interrupt,
+        answers: AtomicUsize,
+        looks_after: bool,
+    }
+
+    impl ContactSolver for Ending {
+        fn name(&self) -> &'static str {
+            "ending"
+        }
+
+        fn takes(&self, law: moreau_contact::Law, rows: usize, symmetric: bool) -> bool {
+            Auto.takes(law, rows, symmetric)
+        }
+
+        fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+            let answer = Auto.solve(problem, warm_start)?;
+            if self.answers.fetch_add(1, Relaxed) == 2 {
+                self.interrupt.now();
+                if self.looks_after && watch::is_over() {
+                    return Err(Error::limit("ending", "was ended"));
+                }
+            }
+            Ok(answer)
+        }
+    }
+
+    #[test]
+    fn a_motion_that_is_ended_keeps_the_steps_that_were_made_and_no_other() {
+        let (mechanism, start) = named("box-stack").and_then(|scene| scene.mechanism()).unwrap();
+        let scheme = MoreauJean::default();
+        let whole = simulate(&scheme, &Auto, mechanism.as_ref(), start.clone(), 0.01, 5).unwrap();
+        for (looks_after, kept) in [(true, 2), (false, 3)] {
+            let solver = Ending { interrupt: watch::Interrupt::default(), answers: AtomicUsize::new(0), looks_after };
+            let mut recording = Recording::new(mechanism.name(), scheme.name(), 0.01, start.clone());
+            let certified = Certified::new(&solver);
+            let record = || record_certified(&scheme, &certified, mechanism.as_ref(), &mut recording, 5, |_| Ok(()));
+            let (ended, seen) = watch::watched(&solver.interrupt, record);
+            let message = ended.unwrap_err().to_string();
+            assert!(seen.interrupted && message.contains(&format!("in step {} of 5", kept + 1)), "{message}");
+            assert_eq!(recording.samples, whole.samples[..=kept]);
         }
     }
 

@@ -49,7 +49,8 @@ def solve(
     solver : one of `solvers()`.
     tolerance : the largest relative residual that is accepted, 1e-8 if absent; where it is given, iterations stop at half of it.
     iterations : most sweeps, steps or pivots; the solver's own number if absent.
-    warm_start : impulses [N·s] to begin with, one per row, or a Solution.
+    warm_start : impulses [N·s] to begin with, one per row, or a Solution: contact by contact where its problem and this one have keys, zero
+        for a contact that it does not know; by position elsewhere.
     accept_rejected : return an answer that the certificate rejects, and do not raise.
 
     Returns

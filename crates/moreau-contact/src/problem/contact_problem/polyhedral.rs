@@ -55,14 +55,23 @@ impl ContactProblem {
     /// # Errors
     /// [`Error::Invalid`] where W is stored by blocks and its square matrix would take more memory than is allowed.
     pub fn law_delassus(&self) -> Result<DMatrix<f64>> {
+        let dense = self.afforded_dense()?;
+        Ok(match self.compliance() {
+            Some(Compliance { coordinates: Coordinates::Contact, diagonal }) => dense + DMatrix::from_diagonal(diagonal),
+            _ => dense.clone(),
+        })
+    }
+
+    /// [`dense`](Self::dense), with what a solver makes of it.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] where W is not stored so and its square matrix would take more memory than is allowed.
+    pub(crate) fn afforded_dense(&self) -> Result<&DMatrix<f64>> {
         if !self.delassus().is_dense() {
             let matrices = memory::matrix(self.rows(), self.rows()).saturating_mul(MATRICES);
             memory::require("the square Delassus matrix of this problem", matrices)?;
         }
-        Ok(match self.compliance() {
-            Some(Compliance { coordinates: Coordinates::Contact, diagonal }) => self.dense() + DMatrix::from_diagonal(diagonal),
-            _ => self.dense().clone(),
-        })
+        Ok(self.dense())
     }
 }
 

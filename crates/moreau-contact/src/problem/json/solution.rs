@@ -197,17 +197,43 @@ impl WarmStart {
         Self::of(SolutionFile::read(file)?, problem).map_err(|error| error.in_file(file))
     }
 
-    fn of(mut answer: SolutionFile, problem: &Posed) -> Result<Self> {
-        let impulse = DVector::from_vec(std::mem::take(&mut answer.impulse));
-        match (answer.keys.take().map(read_keys), problem) {
+    /// The impulses of an answer as a start for a problem: as [`WarmStart::read`] takes them from a file, which may name its problem.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`]: a wrong size, a key that stands twice, or an impulse that is no finite number.
+    /// ```
+    /// use moreau_contact::nalgebra::{DMatrix, dvector};
+    /// use moreau_contact::prelude::*;
+    /// use moreau_contact::problem::{ContactKey, Posed, WarmStart};
+    ///
+    /// let key = |body: usize| ContactKey { bodies: [Some(body), None], features: [0, 0] };
+    /// let mut answer = Solution::new("before", dvector![1.0, 2.0], dvector![0.0, 0.0], 0);
+    /// answer.keys = Some(vec![key(5), key(7)]);
+    /// let next = ContactProblem::new(DMatrix::identity(3, 3), dvector![0.0, 0.0, 0.0]).rows_per_contact(1).keys(Some(vec![key(7), key(6), key(5)]));
+    /// let start = WarmStart::of_solution(&answer, &Posed::contacts(next.build()?))?;
+    /// assert_eq!((start.impulse, start.matched), (dvector![2.0, 0.0, 1.0], Some(2)));
+    /// # Ok::<(), moreau_contact::Error>(())
+    /// ```
+    pub fn of_solution(answer: &Solution, problem: &Posed) -> Result<Self> {
+        match (&answer.keys, problem) {
             (Some(own), Posed::Contacts(contacts)) if contacts.keys().is_some() => {
-                keys::validate(&own)?;
-                let (impulse, matched) = by_keys(&own, &impulse, contacts)?;
+                keys::validate(own)?;
+                let (impulse, matched) = by_keys(own, &answer.impulse, contacts)?;
                 Ok(WarmStart { impulse, matched: Some(matched) })
             }
-            (_, Posed::Contacts(contacts)) => answer.answers(contacts.name()).and_then(|()| Self::by_position(impulse, problem)),
-            (_, Posed::Jointed(jointed)) => answer.answers(jointed.name()).and_then(|()| Self::by_position(impulse, problem)),
+            _ => Self::by_position(answer.impulse.clone(), problem),
         }
+    }
+
+    fn of(answer: SolutionFile, problem: &Posed) -> Result<Self> {
+        let goes_by_keys = answer.keys.is_some() && matches!(problem, Posed::Contacts(contacts) if contacts.keys().is_some());
+        if !goes_by_keys {
+            answer.answers(match problem {
+                Posed::Contacts(contacts) => contacts.name(),
+                Posed::Jointed(jointed) => jointed.name(),
+            })?;
+        }
+        Self::of_solution(&answer.with_velocity(|_| Ok(DVector::zeros(0)))?, problem)
     }
 
     fn by_position(impulse: DVector<f64>, problem: &Posed) -> Result<Self> {

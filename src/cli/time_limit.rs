@@ -1,0 +1,39 @@
+//! `--time-limit`: how long a command may compute.
+
+use crate::solvers::watch::Interrupt;
+use crate::tolerance::cli::LONGEST_SECONDS;
+use crate::{Error, Result};
+use std::sync::mpsc;
+use std::time::Duration;
+
+/// Refuses what is no time \[s\].
+///
+/// # Errors
+/// [`Error::Invalid`] names the option.
+pub fn check(limit: Option<f64>) -> Result<()> {
+    match limit {
+        Some(seconds) if !(seconds > 0.0 && seconds <= LONGEST_SECONDS) => {
+            let cure = format!("give a time above 0 and up to {LONGEST_SECONDS:e} seconds, or leave it out for no limit");
+            Err(Error::invalid("--time-limit", format!("is {seconds:?}"), cure))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Runs `work`, whose interrupt is given when the time \[s\] is over.
+pub fn within<T>(limit: Option<f64>, work: impl FnOnce(&Interrupt) -> T) -> T {
+    let interrupt = Interrupt::default();
+    let Some(limit) = limit else { return work(&interrupt) };
+    std::thread::scope(|scope| {
+        let (done, ended) = mpsc::channel::<()>();
+        let clock = interrupt.clone();
+        scope.spawn(move || {
+            if ended.recv_timeout(Duration::from_secs_f64(limit)) == Err(mpsc::RecvTimeoutError::Timeout) {
+                clock.now();
+            }
+        });
+        let result = work(&interrupt);
+        drop(done);
+        result
+    })
+}
