@@ -62,8 +62,8 @@ pub struct Arguments {
     #[command(flatten)]
     dumps: DumpOptions,
     /// End the motion after this time of computing, all steps together: the steps made are kept and written, the one that is being made is
-    /// left out and named, the exit code is 1, and the motion is marked as not reproducible. The time is looked at between steps and, within
-    /// a step, where solvers look for `--time-limit` of `moreau solve`.
+    /// left out and named, the exit code is 1, and the motion is marked as not reproducible. The time is looked at between steps and,
+    /// within a step, where solvers look for `--time-limit` of `moreau solve`.
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
     time_limit: Option<f64>,
     /// Write the motion to this file, a trajectory/1.
