@@ -6,6 +6,7 @@
 //!     w = (x̄ + J z̄)/(2γ) ,  γ² = (1 + x̄·z̄)/2 ,  v = (w + e)/√(2 (w_n + 1)) ,  β⁴ = det x/det z ,   x̄ = x/√det x
 //! ```
 
+use crate::tolerance::solvers::MIDDLE;
 use nalgebra::{Matrix3, Vector3};
 
 /// P of a pair (x, z) inside of the cone.
@@ -115,6 +116,18 @@ impl Scaling {
         let crossed = product(&(self.inverse * dx), &(self.matrix * dz));
         quotient(&self.middle, &(Vector3::new(gap, 0.0, 0.0) - crossed)) - self.middle
     }
+
+    /// What is added to c so that the two roots of P⁻¹x ∘ P z, w_n ± ‖w_t‖, come back to between a part of the gap and as many times it: a
+    /// root that is too large by no more than the latter.
+    pub(crate) fn recentring(&self, gap: f64, x: &Vector3<f64>, z: &Vector3<f64>) -> Vector3<f64> {
+        let w = product(&(self.inverse * x), &(self.matrix * z));
+        let (least, most) = (MIDDLE * gap, gap / MIDDLE);
+        let back = |root: f64| (root.clamp(least, most) - root).max(-most);
+        let tangential = w[1].hypot(w[2]);
+        let [large, small] = [back(w[0] + tangential), back(w[0] - tangential)];
+        let along = if tangential > 0.0 { 0.5 * (large - small) / tangential } else { 0.0 };
+        quotient(&self.middle, &Vector3::new(0.5 * (large + small), along * w[1], along * w[2]))
+    }
 }
 
 #[cfg(test)]
@@ -139,6 +152,25 @@ mod tests {
             );
         }
         assert!(Scaling::round(&Vector3::new(1.0, 1.0, 0.0), &Vector3::x(), 3).is_none(), "on the boundary");
+    }
+
+    #[test]
+    fn what_is_in_the_middle_is_left_there_and_what_is_not_comes_back() {
+        let (x, z) = (Vector3::new(1.0, 0.3, -0.5), Vector3::new(2.0, -1.5, 0.4));
+        let scaling = Scaling::round(&x, &z, 3).expect("inside");
+        let products = product(&scaling.middle, &scaling.middle);
+        let roots = |w: &Vector3<f64>| [w[0] + w[1].hypot(w[2]), w[0] - w[1].hypot(w[2])];
+        let [large, small] = roots(&products);
+        // both roots may stay: nothing is added; a gap for which the small one is too small and one for which the large one is too large
+        let added = |gap: f64| product(&scaling.middle, &scaling.recentring(gap, &x, &z));
+        let close = |a: f64, b: f64| (a - b).abs() <= rounding(256, large / small);
+        assert_eq!(added((large * small).sqrt()), Vector3::zeros());
+        let [raised, cut] = [20.0 * small, 0.08 * large].map(|gap| roots(&(products + added(gap))));
+        assert!(close(raised[0], large) && close(raised[1], MIDDLE * 20.0 * small), "{raised:?}");
+        assert!(close(cut[0], 0.08 * large / MIDDLE) && close(cut[1], small.max(MIDDLE * 0.08 * large)), "{cut:?}");
+        // one that is far too large comes back by as much as may stay
+        let far = roots(&(products + added(0.01 * large)));
+        assert!(close(far[0], large - 0.01 * large / MIDDLE), "{far:?}");
     }
 
     #[test]

@@ -69,24 +69,39 @@ impl VelocityFactor {
 
     /// Whether Y Yᵀ is W, block by block.
     fn reproduces(&self, w: &BlockSparse) -> bool {
-        let d = w.rows_per_contact();
         let size: Vec<f64> =
             (0..w.contacts()).map(|k| w.block(k, k).map_or(0.0, |block| block.iter().fold(0.0_f64, |a, x| a.max(x.abs())))).collect();
         (0..w.contacts()).all(|k| {
             w.column(k).all(|(j, block)| {
-                let mut largest = 0.0_f64;
-                for (place, entry) in block.iter().enumerate() {
-                    let pairs = self.parts(k).iter().flat_map(|own| self.parts(j).iter().map(move |other| (own, other)));
-                    let found = pairs.filter(|(own, other)| own.0 == other.0).map(|((group, own), (_, y))| {
-                        let n = self.columns[*group];
-                        let (y, own) = (&self.entries[y + place % d * n..][..n], &self.entries[own + place / d * n..][..n]);
-                        y.iter().zip(own).map(|(y, own)| y * own).sum::<f64>()
-                    });
-                    largest = largest.max((entry - found.sum::<f64>()).abs());
-                }
-                largest <= RECOVERED * (size[j] * size[k]).sqrt()
+                let limit = RECOVERED * (size[j] * size[k]).sqrt();
+                block.iter().zip(self.product(j, k)).all(|(entry, found)| (entry - found).abs() <= limit)
             })
         })
+    }
+
+    /// Y_j Y_kᵀ of two contacts, column after column.
+    fn product(&self, j: usize, k: usize) -> [f64; 9] {
+        let (d, mut found) = (self.rows_per_contact(), [0.0; 9]);
+        for (group, own) in self.parts(k) {
+            for (_, other) in self.parts(j).iter().filter(|(other, _)| other == group) {
+                let n = self.columns[*group];
+                let rows = |first: usize| self.entries[first..first + d * n].chunks_exact(n);
+                for (column, y_k) in rows(*own).enumerate() {
+                    for (row, y_j) in rows(*other).enumerate() {
+                        found[column * d + row] += dot(y_j, y_k);
+                    }
+                }
+            }
+        }
+        found
+    }
+}
+
+/// The sum of products; nearly all bodies have six velocities.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    match (<&[f64; 6]>::try_from(a), <&[f64; 6]>::try_from(b)) {
+        (Ok(a), Ok(b)) => (0..6).map(|i| a[i] * b[i]).sum(),
+        _ => a.iter().zip(b).map(|(a, b)| a * b).sum(),
     }
 }
 

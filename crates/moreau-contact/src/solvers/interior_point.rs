@@ -10,9 +10,13 @@
 //! with its derivative; that often works, and nothing promises it. The point it ends in has the right contacts pressing, sticking and
 //! sliding; Newton's method takes it from there to rounding.
 //!
+//! One contact of thousands that comes to the boundary makes a step short for all. So what of P⁻¹x ∘ P z would leave the middle in a whole
+//! step is put back by the right side, with the same factor, and the longer one of the two steps is made.
+//!
 //! # Source
-//! Vandenberghe, *The CVXOPT linear and quadratic cone program solvers* (2010), for the scaling; Acary, Armand and Nguyen, on interior
-//! points with the lift of Coulomb's law.
+//! Vandenberghe, *The CVXOPT linear and quadratic cone program solvers* (2010), for the scaling; Gondzio, *Multiple centrality correctors
+//! in a primal-dual method for linear programming*, Comput. Optim. Appl. 6 (1996); Acary, Armand and Nguyen, on interior points with the
+//! lift of Coulomb's law.
 
 use super::ContactSolver;
 use super::block_elimination::Slopes;
@@ -38,11 +42,21 @@ pub struct InteriorPoint {
     /// slide, and Newton's method is nearer to the end. It then stops, too, where elimination in velocities has lost too many digits. 0
     /// stops nothing.
     pub gap: f64,
+    /// What x is at first, in impulses that give a contact alone the largest velocity of the data.
+    pub first_impulse: f64,
+    /// Whether what would leave the middle is put back.
+    pub recentres: bool,
 }
 
 impl Default for InteriorPoint {
     fn default() -> Self {
-        InteriorPoint { steps: tolerance::INTERIOR_STEPS, tolerance: tolerance::STOP, gap: 0.0 }
+        InteriorPoint {
+            steps: tolerance::INTERIOR_STEPS,
+            tolerance: tolerance::STOP,
+            gap: 0.0,
+            first_impulse: tolerance::FIRST_IMPULSE,
+            recentres: true,
+        }
     }
 }
 
@@ -75,7 +89,7 @@ impl ContactSolver for InteriorPoint {
         }
         // where it starts is in the middle of the cone, whatever is known
         super::start(problem, warm_start)?;
-        let mut path = Path::new(problem)?;
+        let mut path = Path::new(problem, self)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
         let (mut steps, mut mark, mut marked) = (0, [f64::INFINITY; 2], 0);
         loop {
@@ -114,6 +128,7 @@ struct Path<'a> {
     systems: ContactSystems,
     /// Whether the linear systems are symmetric: W is, no lift is linearised, and every row takes part.
     is_symmetric: bool,
+    is_recentred: bool,
     impulse: DVector<f64>,
     /// z of every contact, padded \[m/s\].
     dual: Vec<Vector3<f64>>,
@@ -123,6 +138,9 @@ struct Path<'a> {
     residual: f64,
 }
 
+/// dx and dz of every contact.
+type Direction = Vec<(Vector3<f64>, Vector3<f64>)>;
+
 /// What a step needs of one contact.
 struct Local {
     scaling: Scaling,
@@ -131,8 +149,8 @@ struct Local {
 }
 
 impl<'a> Path<'a> {
-    /// The middle of the cone, as large as the largest velocity of the data.
-    fn new(problem: &'a ContactProblem) -> Result<Self> {
+    /// The middle of the cone: z as large as the largest velocity of the data, x as what gives a contact alone several of it.
+    fn new(problem: &'a ContactProblem, solver: &InteriorPoint) -> Result<Self> {
         let rows = problem.rows_per_contact();
         let size = (problem.free_velocity() + problem.shift()).amax();
         let size = if size > 0.0 { size } else { 1.0 };
@@ -140,7 +158,7 @@ impl<'a> Path<'a> {
         let mut dual = Vec::with_capacity(problem.contacts());
         for (k, [rho, _]) in Judge::weights(problem).iter().copied().enumerate() {
             let mu = super::cone_friction(problem, k);
-            impulse[k * rows] = rho * size / if mu > 0.0 { mu.max(1.0) } else { 1.0 };
+            impulse[k * rows] = solver.first_impulse * rho * size / if mu > 0.0 { mu.max(1.0) } else { 1.0 };
             dual.push(Vector3::new(size, 0.0, 0.0));
         }
         let operator = match problem.delassus().blocks() {
@@ -151,7 +169,8 @@ impl<'a> Path<'a> {
             && (0..problem.contacts()).all(|k| super::cone_friction(problem, k) > 0.0)
             && problem.asymmetry() <= tolerance::SYMMETRY;
         let systems = ContactSystems::new(problem, &operator);
-        Ok(Path { problem, operator, systems, is_symmetric, impulse, dual, first: None, residual: f64::INFINITY })
+        let is_recentred = solver.recentres;
+        Ok(Path { problem, operator, systems, is_symmetric, is_recentred, impulse, dual, first: None, residual: f64::INFINITY })
     }
 
     /// x = T⁻¹ r of contact k, padded.
@@ -202,9 +221,34 @@ impl<'a> Path<'a> {
         let target = (sigma * gap).max(open.min(2.0 * gap));
         let corrected: Vec<Vector3<f64>> =
             locals.iter().zip(&predicted).map(|(local, (dx, dz))| local.scaling.corrector(target, dx, dz)).collect();
-        let Some(direction) = self.direction(&locals, &slopes, &corrected) else { return false };
-        let length = (tolerance::BOUNDARY * self.longest(&points, &direction)).min(1.0);
+        let Some((direction, length)) = self.recentred(&points, &locals, &slopes, corrected, target) else { return false };
         self.advance(&direction, length)
+    }
+
+    /// The direction of the c of every contact and the length of its step, or those of the c that is put right, if that step is longer.
+    fn recentred(
+        &mut self,
+        points: &[Vector3<f64>],
+        locals: &[Local],
+        slopes: &[Slopes],
+        mut c: Vec<Vector3<f64>>,
+        gap: f64,
+    ) -> Option<(Direction, f64)> {
+        let length = |path: &Self, direction: &Direction| (tolerance::BOUNDARY * path.longest(points, direction)).min(1.0);
+        let direction = self.direction(locals, slopes, &c)?;
+        let reached = length(self, &direction);
+        if self.is_recentred && reached < 1.0 {
+            for (k, (dx, dz)) in direction.iter().enumerate() {
+                c[k] += locals[k].scaling.recentring(gap, &(points[k] + dx), &(self.dual[k] + dz));
+            }
+            if let Some(other) = self.direction(locals, slopes, &c) {
+                let longer = length(self, &other);
+                if longer > reached {
+                    return Some((other, longer));
+                }
+            }
+        }
+        Some((direction, reached))
     }
 
     /// P, the rows of the linear system and ρ of contact k; none where it has left the cone.
@@ -243,7 +287,7 @@ impl<'a> Path<'a> {
 
     /// (dx, dz) of every contact for the c of every contact. dz comes from the velocities, dz = T(ρ + B (W + R) dr), so that rounding
     /// leaves y and z together and goes into the gap.
-    fn direction(&mut self, locals: &[Local], slopes: &[Slopes], c: &[Vector3<f64>]) -> Option<Vec<(Vector3<f64>, Vector3<f64>)>> {
+    fn direction(&mut self, locals: &[Local], slopes: &[Slopes], c: &[Vector3<f64>]) -> Option<Direction> {
         let rows = self.problem.rows_per_contact();
         let mut right_side = DVector::zeros(self.problem.rows());
         for (k, (local, c)) in locals.iter().zip(c).enumerate() {
@@ -293,6 +337,7 @@ fn scale(mu: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::certificate::residuals;
+    use crate::operator::wall;
     use crate::solvers::NonsmoothNewton;
     use nalgebra::{DMatrix, dvector};
 
@@ -342,6 +387,19 @@ mod tests {
             assert_eq!(steps(1, gap), steps(100, gap), "{gap}");
         }
         assert!(steps(100, 1e-2) < steps(100, 1e-5) && steps(100, 1e-5) < steps(100, 0.0));
+    }
+
+    /// Bricks that fall with the lowest course already on the ground, of which the upper half is pushed.
+    #[test]
+    fn what_leaves_the_middle_is_put_back_and_fewer_steps_lead_to_the_same_answer() {
+        let w = wall(8, 6, 1.0);
+        let n = w.contacts();
+        let q = DVector::from_fn(3 * n, |row, _| if row < 3 * 32 { [-0.1, 0.02, 0.01][row % 3] } else { [0.0, 0.3, 0.0][row % 3] });
+        let problem = ContactProblem::new(w, q).law(Law::Associated).friction(vec![0.5; n]).build().unwrap();
+        let solve = |recentres: bool| InteriorPoint { recentres, gap: 1e-9, ..Default::default() }.solve(&problem, None).unwrap();
+        let (with, without) = (solve(true), solve(false));
+        assert!(with.iterations < without.iterations, "{} and {}", with.iterations, without.iterations);
+        assert!((&with.velocity - &without.velocity).amax() < 1e-4, "{}", (&with.velocity - &without.velocity).amax());
     }
 
     #[test]

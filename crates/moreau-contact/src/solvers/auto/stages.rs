@@ -223,9 +223,11 @@ fn through_softness(problem: &ContactProblem, _: Option<&DVector<f64>>, stop: f6
     Ok(Solution { iterations: iterations + ended.iterations, ..ended })
 }
 
-/// Interior points, which tell which contacts press, stick and slide however redundant they are, and Newton from there.
+/// Interior points, which tell which contacts press, stick and slide however redundant they are, and Newton from there. They begin with
+/// less impulse than others do and take their steps as they come: what led others astray leads these another way.
 fn through_interior(problem: &ContactProblem, stop: f64) -> Result<Solution> {
-    let begun = InteriorPoint { tolerance: stop, ..Default::default() }.solve(problem, None)?;
+    let interior = InteriorPoint { first_impulse: 1.0, recentres: false, ..Default::default() };
+    let begun = InteriorPoint { tolerance: stop, ..interior }.solve(problem, None)?;
     let ended = NonsmoothNewton { starts: 1, tolerance: stop, ..Default::default() }.solve(problem, Some(&begun.impulse))?;
     Ok(Solution { iterations: begun.iterations + ended.iterations, ..ended })
 }
