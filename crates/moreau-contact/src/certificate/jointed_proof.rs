@@ -62,8 +62,8 @@ pub fn backward_jointed(problem: &JointedProblem, impulse: &DVector<f64>) -> Res
 /// Proves that the problem has a solution near an answer; the bounds are constraint by constraint.
 ///
 /// # Errors
-/// [`Error::Invalid`] if the answer has another size than the problem or a number that is not finite, or the proof takes more memory than
-/// is allowed.
+/// [`Error::Invalid`] if the answer has another size than the problem or an impulse that is not finite, or the proof takes more memory than
+/// is allowed; near a velocity that is not finite nothing is proved.
 /// ```
 /// use moreau_contact::certificate::jointed_proof::forward_jointed;
 /// use moreau_contact::nalgebra::{dmatrix, dvector};
@@ -79,11 +79,13 @@ pub fn backward_jointed(problem: &JointedProblem, impulse: &DVector<f64>) -> Res
 /// # Ok::<(), moreau_contact::Error>(())
 /// ```
 pub fn forward_jointed(problem: &JointedProblem, answer: &Solution) -> Result<NearJointed> {
-    for (field, numbers) in [("impulse", &answer.impulse), ("velocity", &answer.velocity)] {
-        problem.require_rows(field, numbers.len())?;
-        if numbers.iter().any(|number| !number.is_finite()) {
-            return Err(Error::invalid(field, "has a number that is not finite", "give one finite number per row"));
-        }
+    problem.require_rows("impulse", answer.impulse.len())?;
+    problem.require_rows("velocity", answer.velocity.len())?;
+    if answer.impulse.iter().any(|number| !number.is_finite()) {
+        return Err(Error::invalid("impulse", "has a number that is not finite", "give one finite number per row"));
+    }
+    if answer.velocity.iter().any(|number| !number.is_finite()) {
+        return Ok(NearJointed { near: Forward::NotProved(Reason { text: forward::TOO_FAST.into(), contact: None }), impulses: None });
     }
     let rows = ByRows::new(problem)?;
     let spread = Solution::new("", rows.spread(&answer.impulse), rows.spread(&answer.velocity), 0);

@@ -100,7 +100,8 @@ impl Forward {
 /// Proves that the problem has a solution near an answer.
 ///
 /// # Errors
-/// [`Error::Invalid`] if the answer has another size than the problem or a number that is not finite.
+/// [`Error::Invalid`] if the answer has another size than the problem or an impulse that is not finite; near a velocity that is not, nothing
+/// is proved.
 /// ```
 /// use moreau_contact::certificate::forward::forward;
 /// use moreau_contact::nalgebra::{DMatrix, dvector};
@@ -136,16 +137,23 @@ pub fn forward(problem: &ContactProblem, answer: &Solution) -> Result<Forward> {
 /// ```
 pub fn forward_from(problem: &ContactProblem, answer: &Solution, begun: &DVector<f64>) -> Result<Forward> {
     let rows = problem.rows();
-    for (field, numbers) in [("impulse", &answer.impulse), ("velocity", &answer.velocity), ("begun", begun)] {
+    for (field, numbers) in [("impulse", &answer.impulse), ("begun", begun)] {
         if numbers.len() != rows || numbers.iter().any(|number| !number.is_finite()) {
             return Err(Error::invalid(field, format!("is not {rows} finite numbers"), "give one number per row"));
         }
+    }
+    problem.require_size("velocity", answer.velocity.len())?;
+    if answer.velocity.iter().any(|number| !number.is_finite()) {
+        return Ok(Forward::refused(TOO_FAST, None));
     }
     if problem.compliance().is_some_and(|soft| soft.coordinates == Coordinates::Edge) {
         return Ok(Forward::refused("a compliance on edges has no proof of a solution near", None));
     }
     Ok(Proof::new(problem, answer, None).run(begun))
 }
+
+/// Why nothing is proved of impulses whose W r is no number any more.
+pub(super) const TOO_FAST: &str = "the impulses move contacts faster than numbers tell; rescale the units of the problem";
 
 /// The same of a problem whose contacts may stand for bilateral rows; all numbers are finite, and as many as there are rows.
 pub(super) fn of_rows(rows: &ByRows, answer: &Solution) -> Forward {

@@ -182,6 +182,9 @@ fn a_compliance_on_edges_and_numbers_that_are_none_are_refused_by_name() {
     assert!(forward(&problem, &wrong).is_err());
     let mut nan = solution.clone();
     nan.velocity[0] = f64::NAN;
+    let Forward::NotProved(reason) = forward(&problem, &nan).expect("sizes fit") else { panic!("no distance from no number") };
+    assert_eq!(reason.text, TOO_FAST);
+    nan.impulse[0] = f64::NAN;
     assert!(forward(&problem, &nan).is_err());
 }
 

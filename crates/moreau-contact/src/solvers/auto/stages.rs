@@ -223,18 +223,18 @@ fn through_softness(problem: &ContactProblem, _: Option<&DVector<f64>>, stop: f6
     Ok(Solution { iterations: iterations + ended.iterations, ..ended })
 }
 
-/// Interior points, which tell which contacts press, stick and slide however redundant they are, and Newton from there. They begin with
-/// less impulse than others do and take their steps as they come: what led others astray leads these another way.
+/// Interior points, which tell which contacts press, stick and slide however redundant they are, and Newton from there.
 fn through_interior(problem: &ContactProblem, stop: f64) -> Result<Solution> {
-    let interior = InteriorPoint { first_impulse: 1.0, recentres: false, ..Default::default() };
-    let begun = InteriorPoint { tolerance: stop, ..interior }.solve(problem, None)?;
+    let begun = InteriorPoint { tolerance: stop, ..Default::default() }.solve(problem, None)?;
     let ended = NonsmoothNewton { starts: 1, tolerance: stop, ..Default::default() }.solve(problem, Some(&begun.impulse))?;
     Ok(Solution { iterations: begun.iterations + ended.iterations, ..ended })
 }
 
-/// Interior points as far as they tell most contacts apart, proximal points for those that they do not, and Newton for the last digits.
+/// Interior points, from more impulse and with what leaves the middle put back, as far as they tell most contacts apart, proximal points for
+/// those that they do not, and Newton for the last digits.
 fn through_interior_and_points(problem: &ContactProblem, stop: f64) -> Result<Solution> {
-    let begun = InteriorPoint { tolerance: stop, gap: tolerance::IDENTIFIED, ..Default::default() }.solve(problem, None)?;
+    let interior = InteriorPoint { first_impulse: tolerance::FIRST_IMPULSE, recentres: true, ..Default::default() };
+    let begun = InteriorPoint { tolerance: stop, gap: tolerance::IDENTIFIED, ..interior }.solve(problem, None)?;
     let near = NEAR.max(stop);
     let points = ProximalNewton { steps: STEPS_AFTER_INTERIOR, tolerance: near, softness: NEAR_PROXIMAL, ..Default::default() }
         .solve(problem, Some(&begun.impulse))?;
