@@ -100,8 +100,8 @@ impl Forward {
 /// Proves that the problem has a solution near an answer.
 ///
 /// # Errors
-/// [`Error::Invalid`] if the answer has another size than the problem or an impulse that is not finite; near a velocity that is not, nothing
-/// is proved.
+/// [`Error::Invalid`] if the answer has another size than the problem or an impulse that is not finite; near a velocity that is not finite
+/// nothing is proved.
 /// ```
 /// use moreau_contact::certificate::forward::forward;
 /// use moreau_contact::nalgebra::{DMatrix, dvector};

@@ -211,7 +211,7 @@ impl WarmStart {
     /// answer.keys = Some(vec![key(5), key(7)]);
     /// let next = ContactProblem::new(DMatrix::identity(3, 3), dvector![0.0, 0.0, 0.0]).rows_per_contact(1);
     /// let next = next.keys(Some(vec![key(7), key(6), key(5)])).build()?;
-    /// let start = WarmStart::of_solution(&answer, &Posed::contacts(next))?;
+    /// let start = WarmStart::of_solution(&answer, &Posed::Contacts(Box::new(next)))?;
     /// assert_eq!((start.impulse, start.matched), (dvector![2.0, 0.0, 1.0], Some(2)));
     /// # Ok::<(), moreau_contact::Error>(())
     /// ```

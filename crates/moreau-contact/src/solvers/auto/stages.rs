@@ -230,8 +230,8 @@ fn through_interior(problem: &ContactProblem, stop: f64) -> Result<Solution> {
     Ok(Solution { iterations: begun.iterations + ended.iterations, ..ended })
 }
 
-/// Interior points, from more impulse and with what leaves the middle put back, as far as they tell most contacts apart, proximal points for
-/// those that they do not, and Newton for the last digits.
+/// Interior points, from more impulse and with what leaves the middle put back, as far as they tell most contacts apart, proximal points
+/// for those that they do not, and Newton for the last digits.
 fn through_interior_and_points(problem: &ContactProblem, stop: f64) -> Result<Solution> {
     let interior = InteriorPoint { first_impulse: tolerance::FIRST_IMPULSE, recentres: true, ..Default::default() };
     let begun = InteriorPoint { tolerance: stop, gap: tolerance::IDENTIFIED, ..interior }.solve(problem, None)?;
