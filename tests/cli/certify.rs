@@ -371,3 +371,16 @@ fn an_answer_too_large_for_proofs_is_none_with_proofs_as_without() {
         }
     }
 }
+
+/// z₀ is nothing by its own size and carries row 1: no W of bodies has such entries (docs/decisions.md).
+#[test]
+fn what_no_row_shows_of_a_matrix_of_no_bodies_is_refused_by_the_proof() {
+    let folder = Folder::new("certify-no-bodies");
+    let rows = "[[0, 0, 0], [1e20, 0, 0], [1, 0, 1]]";
+    let lcp = format!(r#"{{"schema": "lcp/1", "matrix": {{"shape": [3, 3], "rows": {rows}}}, "vector": [1, -1, -1]}}"#);
+    let problem = folder.file("lcp.json", &lcp);
+    let answer = folder.file("answer.json", r#"{"schema": "solution/1", "impulse": [1e-20, 0, 1]}"#);
+    assert_eq!(moreau(&["certify", &problem, &answer]).code, 0);
+    let run = moreau(&["certify", &problem, &answer, "--prove"]);
+    assert!(run.code == 1 && run.output.contains("NO solution"), "{}", run.output);
+}

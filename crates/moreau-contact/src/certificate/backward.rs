@@ -56,8 +56,8 @@ impl Backward {
 /// Proves the backward error of impulses r.
 ///
 /// # Errors
-/// [`Error::Unsupported`] where a contact has hard edges beside soft ones; [`Error::Invalid`] if r has another size or a number that is not
-/// finite.
+/// [`Error::Unsupported`] where a contact has hard edges beside soft ones, or W r is too large for squares; [`Error::Invalid`] if r has
+/// another size or a number that is not finite.
 /// ```
 /// use moreau_contact::certificate::backward::{HeldAs, backward};
 /// use moreau_contact::nalgebra::{DMatrix, dvector};
@@ -73,6 +73,9 @@ pub fn backward(problem: &ContactProblem, impulse: &DVector<f64>) -> Result<Back
     of_rows(problem, impulse, None)
 }
 
+/// Why nothing is proved of impulses whose W r, or its square, is no number any more.
+pub(super) const TOO_FAST: &str = "the impulses move contacts faster than numbers tell; rescale the units of the problem";
+
 /// The same of a problem whose contacts may stand for bilateral rows.
 pub(super) fn of_rows(problem: &ContactProblem, impulse: &DVector<f64>, joints: Option<&ByRows>) -> Result<Backward> {
     if impulse.len() != problem.rows() || impulse.iter().any(|r| !r.is_finite()) {
@@ -81,8 +84,7 @@ pub(super) fn of_rows(problem: &ContactProblem, impulse: &DVector<f64>, joints: 
     let velocity = problem.law_velocity(impulse);
     let largest = f64::MAX.sqrt();
     if !velocity.iter().chain(impulse.iter()).all(|number| number.abs() < largest) {
-        let reason = "not proved: the impulses move contacts faster than numbers tell; rescale the units of the problem";
-        return Err(Error::Unsupported(reason.into()));
+        return Err(Error::Unsupported(format!("not proved: {TOO_FAST}")));
     }
     let rows = problem.rows_per_contact();
     let polygon = problem.law().directions().map(Polygon::new);

@@ -85,7 +85,7 @@ pub fn forward_jointed(problem: &JointedProblem, answer: &Solution) -> Result<Ne
         return Err(Error::invalid("impulse", "has a number that is not finite", "give one finite number per row"));
     }
     if answer.velocity.iter().any(|number| !number.is_finite()) {
-        return Ok(NearJointed { near: Forward::NotProved(Reason { text: forward::TOO_FAST.into(), contact: None }), impulses: None });
+        return Ok(NearJointed { near: Forward::NotProved(Reason { text: backward::TOO_FAST.into(), contact: None }), impulses: None });
     }
     let rows = ByRows::new(problem)?;
     let spread = Solution::new("", rows.spread(&answer.impulse), rows.spread(&answer.velocity), 0);

@@ -143,7 +143,7 @@ struct Local {
 }
 
 impl<'a> Path<'a> {
-    /// The middle of the cone: z as large as the largest velocity of the data, x as what gives a contact alone several of it.
+    /// The middle of the cone: z as large as the largest velocity of the data, x as many times what gives it to a contact alone as asked.
     fn new(problem: &'a ContactProblem, solver: &InteriorPoint) -> Result<Self> {
         let rows = problem.rows_per_contact();
         let size = (problem.free_velocity() + problem.shift()).amax();

@@ -29,6 +29,7 @@ mod reason;
 #[cfg(test)]
 mod tests;
 
+use super::backward::TOO_FAST;
 use super::interval::Interval;
 use super::planted::{Plant, planted};
 use crate::problem::{ByRows, ContactProblem, Coordinates, Solution};
@@ -151,9 +152,6 @@ pub fn forward_from(problem: &ContactProblem, answer: &Solution, begun: &DVector
     }
     Ok(Proof::new(problem, answer, None).run(begun))
 }
-
-/// Why nothing is proved of impulses whose W r is no number any more.
-pub(super) const TOO_FAST: &str = "the impulses move contacts faster than numbers tell; rescale the units of the problem";
 
 /// The same of a problem whose contacts may stand for bilateral rows; all numbers are finite, and as many as there are rows.
 pub(super) fn of_rows(rows: &ByRows, answer: &Solution) -> Forward {
