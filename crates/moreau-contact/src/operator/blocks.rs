@@ -85,6 +85,31 @@ impl BlockSparse {
         Ok(made)
     }
 
+    /// The blocks of a dense W, each bit as it is, if at least half of them are zero; those on the diagonal are kept in any case.
+    pub(crate) fn of_dense(dense: &DMatrix<f64>, rows_per_contact: usize) -> Option<Self> {
+        let (d, contacts) = (rows_per_contact, dense.nrows() / rows_per_contact);
+        let mut made = BlockSparse::with_capacity(d, contacts, 0);
+        let mut is_kept = vec![false; contacts];
+        for k in 0..contacts {
+            is_kept.fill(false);
+            is_kept[k] = true;
+            for column in k * d..(k + 1) * d {
+                let parts = dense.as_slice()[column * contacts * d..(column + 1) * contacts * d].chunks_exact(d);
+                is_kept.iter_mut().zip(parts).for_each(|(is_kept, part)| *is_kept |= part.iter().any(|entry| *entry != 0.0));
+            }
+            made.append_column(|show| (0..contacts).filter(|j| is_kept[*j]).for_each(show));
+            if 2 * made.coupled.len() > contacts * contacts {
+                return None;
+            }
+        }
+        for k in 0..contacts {
+            for at in made.starts[k]..made.starts[k + 1] {
+                made.entries.extend(dense.view((made.coupled[at] * d, k * d), (d, d)).iter());
+            }
+        }
+        Some(made)
+    }
+
     /// No blocks yet, with room for so many.
     pub(crate) fn with_capacity(rows_per_contact: usize, contacts: usize, blocks: usize) -> Self {
         let mut starts = spare::vector(contacts + 1);
@@ -305,6 +330,25 @@ mod tests {
         let mut dense = DMatrix::zeros(3 * d, 3 * d);
         blocks.iter().for_each(|(j, k, block)| dense.view_mut((d * j, d * k), (d, d)).copy_from(block));
         (BlockSparse::new(d, 3, blocks).unwrap(), dense)
+    }
+
+    #[test]
+    fn a_dense_matrix_is_its_blocks_where_at_least_half_of_them_are_zero() {
+        // four contacts, of which those are coupled: eight blocks are half of sixteen
+        let w = |coupled: &[(usize, usize)], entry: f64| {
+            let mut dense = DMatrix::zeros(8, 8);
+            coupled.iter().for_each(|(j, k)| dense[(2 * j + 1, 2 * k)] = entry);
+            dense
+        };
+        let half = [(0, 0), (1, 1), (0, 1), (3, 0), (2, 3), (1, 0)];
+        for entry in [1.0, -0.25, f64::MIN_POSITIVE] {
+            let dense = w(&half, entry);
+            let blocks = BlockSparse::of_dense(&dense, 2).expect("eight blocks, two of them zeros on the diagonal");
+            assert_eq!((blocks.to_dense(), blocks.block_count()), (dense, 8));
+            let more: Vec<_> = half.into_iter().chain([(0, 3)]).collect();
+            assert!(BlockSparse::of_dense(&w(&more, entry), 2).is_none());
+        }
+        assert_eq!(BlockSparse::of_dense(&chain(2).1, 2), None, "seven blocks of nine");
     }
 
     #[test]

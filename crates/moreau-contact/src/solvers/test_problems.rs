@@ -54,6 +54,32 @@ pub(super) fn four_corners(law: Law, sideways: f64, turning: f64) -> ContactProb
         .expect(SOUND)
 }
 
+/// So many cubes of 1 kg and edge 2 m on each other, which fall for a hundredth of a second while every second one is pushed sideways, μ = ½:
+/// four contacts between each two, 12 rows for each six velocities, with W as a square matrix.
+pub(super) fn tower(cubes: usize, law: Law, push: f64) -> ContactProblem {
+    let (mut jacobian, mut bodies) = (DMatrix::zeros(12 * cubes, 6 * cubes), Vec::new());
+    for cube in 0..cubes {
+        for (corner, [x, y]) in [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]].into_iter().enumerate() {
+            let rows = |z: f64| dmatrix![0.0, 0.0, 1.0, y, -x, 0.0; 1.0, 0.0, 0.0, 0.0, z, -y; 0.0, 1.0, 0.0, -z, 0.0, x];
+            let row = 12 * cube + 3 * corner;
+            jacobian.view_mut((row, 6 * cube), (3, 6)).copy_from(&rows(-1.0));
+            if cube > 0 {
+                jacobian.view_mut((row, 6 * cube - 6), (3, 6)).copy_from(&-rows(1.0));
+            }
+            bodies.push([Some(cube), cube.checked_sub(1)]);
+        }
+    }
+    let inertia = [1.0, 1.0, 1.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0];
+    let mass = DMatrix::from_fn(6 * cubes, 6 * cubes, |i, j| if i == j { inertia[i % 6] } else { 0.0 });
+    let free = DVector::from_fn(6 * cubes, |i, _| match i % 6 {
+        0 => push * (i / 6 % 2) as f64,
+        2 => -0.0981,
+        _ => 0.0,
+    });
+    let problem = ContactProblem::from_dynamics(mass, jacobian, &free).name("tower").law(law).friction(vec![0.5; 4 * cubes]);
+    problem.bodies(bodies).build().expect(SOUND)
+}
+
 /// The same problem with W by blocks.
 pub(super) fn by_blocks(problem: &ContactProblem) -> ContactProblem {
     let blocks = BlockSparse::from_sparse(&Sparse::of(problem.dense()), problem.rows_per_contact()).expect(SOUND);

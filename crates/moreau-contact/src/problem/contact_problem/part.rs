@@ -1,4 +1,4 @@
-//! The problem of some of the contacts, which W joins with no other.
+//! The problem of some of the contacts, which W joins with no other, of some of the rows, and with W stored in another way.
 
 use super::number::Number;
 use super::once::Once;
@@ -39,6 +39,30 @@ impl ContactProblem {
             groups: groups.map_or_else(Once::default, Once::known),
             weights: Once::default(),
             islands: own.map_or_else(Once::default, Once::known),
+            velocity_factor: Once::default(),
+            written_out: Once::default(),
+            number: Number::default(),
+        }
+    }
+
+    /// The same problem with this W in place of a dense one of the same entries: what was found of its contacts stays, mass and Jacobian are
+    /// left out.
+    pub(crate) fn stored_as(&self, blocks: BlockSparse) -> ContactProblem {
+        ContactProblem {
+            name: self.name.clone(),
+            rows_per_contact: self.rows_per_contact,
+            law: self.law,
+            friction: self.friction.clone(),
+            free_velocity: self.free_velocity.clone(),
+            shift: self.shift.clone(),
+            delassus: blocks.into(),
+            compliance: self.compliance.clone(),
+            dynamics: None,
+            bodies: self.bodies.clone(),
+            keys: None,
+            groups: self.groups.clone(),
+            weights: self.weights.clone(),
+            islands: self.islands.clone(),
             velocity_factor: Once::default(),
             written_out: Once::default(),
             number: Number::default(),

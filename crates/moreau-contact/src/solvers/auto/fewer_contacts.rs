@@ -35,7 +35,7 @@ pub(super) fn solve(problem: &ContactProblem, start: Option<&DVector<f64>>, stop
         let (alone, known) = (of(problem, &members)?, island_rows(&from, &members, problem.rows_per_contact()));
         let few_are_left_out = nearest.len() - members.len() <= tolerance::LEFT_OUT_OF_SMOOTHED;
         for is_smoothed in [false, true].into_iter().take(1 + usize::from(few_are_left_out)) {
-            let part = || if is_smoothed { smoothing::solve(&alone, stop) } else { newton.solve(&alone, Some(&known)) };
+            let part = || if is_smoothed { smoothing::solve(&alone, None, stop) } else { newton.solve(&alone, Some(&known)) };
             let Ok(part) = watch::unnoted(part) else { continue };
             iterations += part.iterations;
             let impulse = spread(problem, &members, &part.impulse);

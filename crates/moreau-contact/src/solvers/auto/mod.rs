@@ -1,6 +1,8 @@
 //! The default solver, which tries several algorithms in turn.
 
+mod by_blocks;
 mod fewer_contacts;
+mod interior;
 mod kept;
 mod smoothing;
 mod stages;
@@ -22,6 +24,7 @@ use stages::{QUICK, THOROUGH, left_out};
 ///
 /// | for | algorithm |
 /// |---|---|
+/// | many contacts, of which most do not meet | all that follows with W by blocks, however it is stored |
 /// | many contacts, or a few at which all else failed | each island of contacts that meet by itself |
 /// | a warm start of many contacts that is no solution any more | a few plain sweeps where they close, a few steps of Newton from there |
 /// | up to 12 contacts without friction | Newton-min or Lemke's path on the stack |
@@ -30,6 +33,7 @@ use stages::{QUICK, THOROUGH, left_out};
 /// | no friction, up to 12 contacts | Newton-min, and Lemke where a contact does not move itself |
 /// | many contacts, two rows for each velocity, round cones | interior points until contacts are told apart, proximal points, Newton |
 /// | all but a compliance on edges | a few accelerated sweeps, and a few steps of nonsmooth Newton from what they found |
+/// | fewer contacts of that kind under Coulomb's law | the same interior points, proximal points, Newton |
 /// | a thousand contacts, fewer rows for each velocity, W stored by blocks, round cones | plain sweeps, and proximal points from there |
 /// | W stored by blocks, round cones | interior points, and Newton from there |
 /// | all but a compliance on edges | Newton |
@@ -151,9 +155,13 @@ fn opens_everywhere(problem: &ContactProblem) -> bool {
     })
 }
 
-/// The answer of [`through`]; where it is not good and nothing rubs, that of the normal rows, for which there are algorithms to the end.
+/// The answer of [`through`], to W by blocks where it has few; where it is not good and nothing rubs, that of the normal rows, for which there are algorithms to the end.
 fn chain(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Result<Solution> {
     super::parts::check_start(problem, warm_start)?;
+    if let Some(stored) = by_blocks::stored(problem) {
+        let found = chain(&stored, warm_start, goal)?;
+        return Ok(Solution { velocity: problem.velocity(&found.impulse), ..found });
+    }
     let found = through(problem, warm_start, goal);
     let is_decided = problem.rows_per_contact() == 1 || found.as_ref().is_err_and(is_infeasible);
     if is_decided || !problem.is_frictionless() || super::watch::is_over() {

@@ -5,14 +5,13 @@ use super::super::ClarabelPolished;
 use super::super::enumeration::LARGEST;
 use super::super::watch;
 use super::super::{
-    AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, ConvexSubproblems, Enumeration, GaussNewton, InteriorPoint,
-    LemkePivoting, NewtonMin, NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation, ProximalNewton,
-    compliance,
+    AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, ConvexSubproblems, Enumeration, GaussNewton, LemkePivoting,
+    NewtonMin, NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation, ProximalNewton, compliance,
 };
-use super::{fewer_contacts, smoothing};
+use super::{fewer_contacts, interior, smoothing};
 use crate::certificate::Judge;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
-use crate::tolerance::newton::{NEAR, NEAR_PROXIMAL, PATIENCE, PATIENT_STEPS, PATIENT_WORK, STEPS_AFTER_INTERIOR, STEPS_IN_AUTO};
+use crate::tolerance::newton::{PATIENCE, PATIENT_STEPS, PATIENT_WORK, STEPS_IN_AUTO};
 use crate::tolerance::solvers::{self as tolerance, ENOUGH};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -28,11 +27,13 @@ pub(super) const QUICK: &[(Takes, Stage)] = &[
     (|problem| problem.compliance().is_some(), |problem, start, _| GaussNewton::default().solve(problem, start)),
     (is_direct, |problem, start, _| NewtonMin { steps: tolerance::direct_steps(problem.contacts()) }.solve(problem, start)),
     (|problem| is_direct(problem) && !is_swept_alone(problem), |problem, _, _| LemkePivoting.solve(problem, None)),
-    (is_redundant, |problem, _, stop| through_interior_and_points(problem, stop)),
+    (is_redundant, |problem, _, stop| interior::and_points(problem, stop)),
     (is_iterated, few_sweeps),
     (is_iterated, short_newton),
+    (is_stuck, |problem, _, stop| interior::and_points(problem, stop)),
+    (is_rubbing, |problem, _, stop| smoothing::solve(problem, None, stop)),
     (is_many_and_free, through_sweeps),
-    (is_large, |problem, _, stop| through_interior(problem, stop)),
+    (is_large, |problem, _, stop| interior::and_newton(problem, stop)),
     (is_iterated, newton),
     (is_principal, principal_pivots),
 ];
@@ -40,7 +41,7 @@ pub(super) const QUICK: &[(Takes, Stage)] = &[
 /// Those that follow where the answer is not good enough yet for the certificate, [`ACCEPTABLE`].
 pub(super) const THOROUGH: &[(Takes, Stage)] = &[
     (is_iterated, |problem, _, stop| ProximalNewton { steps: STEPS_IN_AUTO, tolerance: stop, ..Default::default() }.solve(problem, None)),
-    (is_smoothed, |problem, _, stop| smoothing::solve(problem, stop)),
+    (is_smoothed, |problem, _, stop| smoothing::solve(problem, None, stop)),
     (has_second_order_cone, patient_points),
     (has_blocks, |problem, _, stop| newton(problem, None, stop)),
     (is_pivoted_soon, |problem, _, _| LemkePivoting.solve(problem, None)),
@@ -134,8 +135,23 @@ fn short_newton(problem: &ContactProblem, start: Option<&DVector<f64>>, stop: f6
 
 /// Whether interior points are for it, and it has so many more rows than velocities that they cost little where others go astray.
 fn is_redundant(problem: &ContactProblem) -> bool {
-    let is_many = problem.contacts() >= tolerance::FEWEST_REDUNDANT && is_large(problem);
-    is_many && problem.velocity_factor().is_some_and(|factor| problem.rows() >= tolerance::REDUNDANT * factor.velocities())
+    problem.contacts() >= tolerance::FEWEST_REDUNDANT && has_many_rows(problem)
+}
+
+/// Whether it is one of fewer contacts, of a law that interior points alone do not end, which a few of Newton's steps did not end either.
+fn is_stuck(problem: &ContactProblem) -> bool {
+    is_rubbing(problem) && !is_redundant(problem)
+}
+
+/// Whether it is one of few contacts or many, of a law that interior points alone do not end.
+fn is_rubbing(problem: &ContactProblem) -> bool {
+    problem.law() == Law::Coulomb && problem.contacts() >= tolerance::FEWEST_STUCK && has_many_rows(problem)
+}
+
+/// Whether interior points are for it, and it has many rows for each velocity.
+fn has_many_rows(problem: &ContactProblem) -> bool {
+    let is_many = |velocities: usize| problem.rows() >= tolerance::REDUNDANT * velocities;
+    is_large(problem) && problem.velocity_factor().is_some_and(|factor| is_many(factor.velocities()))
 }
 
 /// Whether so many contacts leave so many bodies so free that sweeps come near a solution, and steps of Newton's method cost much.
@@ -220,29 +236,6 @@ fn through_softness(problem: &ContactProblem, _: Option<&DVector<f64>>, stop: f6
         impulse = Some(solution.impulse);
     }
     let ended = newton(problem, impulse.as_ref(), stop)?;
-    Ok(Solution { iterations: iterations + ended.iterations, ..ended })
-}
-
-/// Interior points, which tell which contacts press, stick and slide however redundant they are, and Newton from there.
-fn through_interior(problem: &ContactProblem, stop: f64) -> Result<Solution> {
-    let begun = InteriorPoint { tolerance: stop, ..Default::default() }.solve(problem, None)?;
-    let ended = NonsmoothNewton { starts: 1, tolerance: stop, ..Default::default() }.solve(problem, Some(&begun.impulse))?;
-    Ok(Solution { iterations: begun.iterations + ended.iterations, ..ended })
-}
-
-/// Interior points, from more impulse and with what leaves the middle put back, as far as they tell most contacts apart, proximal points
-/// for those that they do not, and Newton for the last digits.
-fn through_interior_and_points(problem: &ContactProblem, stop: f64) -> Result<Solution> {
-    let interior = InteriorPoint { first_impulse: tolerance::FIRST_IMPULSE, recentres: true, ..Default::default() };
-    let begun = InteriorPoint { tolerance: stop, gap: tolerance::IDENTIFIED, ..interior }.solve(problem, None)?;
-    let near = NEAR.max(stop);
-    let points = ProximalNewton { steps: STEPS_AFTER_INTERIOR, tolerance: near, softness: NEAR_PROXIMAL, ..Default::default() }
-        .solve(problem, Some(&begun.impulse))?;
-    let iterations = begun.iterations + points.iterations;
-    if stop >= near {
-        return Ok(Solution { iterations, ..points });
-    }
-    let ended = NonsmoothNewton { starts: 1, tolerance: stop, ..Default::default() }.solve(problem, Some(&points.impulse))?;
     Ok(Solution { iterations: iterations + ended.iterations, ..ended })
 }
 

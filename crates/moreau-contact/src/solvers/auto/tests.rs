@@ -3,6 +3,7 @@
 use super::*;
 use crate::certificate::residuals;
 use crate::problem::Compliance;
+use crate::solvers::test_problems::tower;
 use nalgebra::{DMatrix, dvector};
 
 #[test]
@@ -182,4 +183,25 @@ fn where_polyhedral_friction_jams_every_cone_is_looked_at_before_it_is_given_up(
     let hard = squares(&rows.concat(), &[-1.25, -0.25, -1.25, -0.5, -2.0, -0.5], 0.5);
     let answer = Auto.solve(&hard, None).expect("it has some");
     assert!(residuals(&hard, &answer).expect("sizes fit").is_solution(ENOUGH), "{}", answer.solver);
+}
+
+#[test]
+fn a_square_w_of_which_most_is_zero_is_solved_by_its_blocks() {
+    for (cubes, is_stored) in [(7, false), (8, true), (12, true)] {
+        let square = tower(cubes, Law::Coulomb, 0.05);
+        let stored = by_blocks::stored(&square);
+        assert_eq!(stored.is_some(), is_stored, "{} rows", square.rows());
+        let Some(stored) = stored else { continue };
+        assert_eq!(stored.dense(), square.dense(), "the same numbers");
+        let [answer, own] = [&square, &stored].map(|problem| Auto.solve(problem, None).expect("it has an answer"));
+        assert_eq!((&answer.impulse, answer.velocity == square.velocity(&answer.impulse)), (&own.impulse, true));
+        assert!(residuals(&square, &answer).expect("sizes fit").is_solution(CERTIFY));
+    }
+    // where most contacts meet, and where a soft contact needs the mass, W stays as it is
+    let full = ContactProblem::new(DMatrix::from_element(96, 96, 1.0), DVector::from_element(96, -1.0)).friction(vec![0.5; 32]);
+    let soft = Compliance { coordinates: Coordinates::Contact, diagonal: DVector::from_element(96, 0.1) };
+    let soft = tower(8, Law::Coulomb, 0.0).into_builder().compliance(soft);
+    for problem in [full, soft] {
+        assert!(by_blocks::stored(&problem.build().expect("valid")).is_none());
+    }
 }
