@@ -14,9 +14,6 @@ use super::{front, watch};
 use crate::memory;
 use crate::tolerance::fronts::KEPT;
 
-/// Rows of a contact in space, and pivots of most fronts over contacts.
-const THREE: usize = 3;
-
 /// A front that is being assembled.
 pub(super) struct Front<'a> {
     pub entries: &'a mut [f64],
@@ -128,10 +125,12 @@ impl Factor {
                 rows.iter().enumerate().for_each(|(j, pivot)| part.swap(j, *pivot));
                 exchanges += node.pivots;
             }
-            let lower = &self.lower[node.offset..node.offset + node.size * node.pivots];
-            match node.pivots {
-                THREE if !self.is_symmetric => forward_three(lower, part),
-                _ => self.forward(lower, node.size, part),
+            for (j, column) in self.lower[node.offset..].chunks_exact(node.size.max(1)).take(node.pivots).enumerate() {
+                if self.is_symmetric {
+                    part[j] /= column[j];
+                }
+                let known = part[j];
+                part[j + 1..].iter_mut().zip(&column[j + 1..]).for_each(|(rest, l)| *rest -= l * known);
             }
             scatter(tree, id, x, part);
         }
@@ -143,17 +142,6 @@ impl Factor {
                 self.backward(node, part);
             }
             scatter(tree, id, x, part);
-        }
-    }
-
-    /// L x = b at a node, of which these are the pivot columns.
-    fn forward(&self, lower: &[f64], size: usize, part: &mut [f64]) {
-        for (j, column) in lower.chunks_exact(size.max(1)).enumerate() {
-            if self.is_symmetric {
-                part[j] /= column[j];
-            }
-            let known = part[j];
-            part[j + 1..].iter_mut().zip(&column[j + 1..]).for_each(|(rest, l)| *rest -= l * known);
         }
     }
 
@@ -171,16 +159,8 @@ impl Factor {
         let upper = &self.upper[node.offset..node.offset + node.size * node.pivots];
         let column = |j: usize| &upper[j * node.pivots..(j + 1) * node.pivots];
         let (own, known) = part.split_at_mut(node.pivots);
-        if let Some(own) = own.as_mut_array::<THREE>() {
-            let mut sums = *own;
-            for (column, x) in upper.as_chunks::<THREE>().0[THREE..].iter().zip(&*known) {
-                (0..THREE).for_each(|i| sums[i] -= column[i] * x);
-            }
-            *own = sums;
-        } else {
-            for (place, x) in known.iter().enumerate() {
-                own.iter_mut().zip(column(node.pivots + place)).for_each(|(own, u)| *own -= u * x);
-            }
+        for (place, x) in known.iter().enumerate() {
+            own.iter_mut().zip(column(node.pivots + place)).for_each(|(own, u)| *own -= u * x);
         }
         for j in (0..node.pivots).rev() {
             let column = column(j);
@@ -188,20 +168,6 @@ impl Factor {
             let x = own[j];
             own[..j].iter_mut().zip(column).for_each(|(own, u)| *own -= u * x);
         }
-    }
-}
-
-/// [`Factor::forward`] at three pivots of an L that has ones on its diagonal: what follows them is gone through once, its terms in the same
-/// order.
-fn forward_three(lower: &[f64], part: &mut [f64]) {
-    let size = part.len();
-    let [a, b, c] = [0, 1, 2].map(|j| &lower[j * size..(j + 1) * size]);
-    let x = part[0];
-    let y = part[1] - a[1] * x;
-    let z = part[2] - a[2] * x - b[2] * y;
-    (part[1], part[2]) = (y, z);
-    for (i, rest) in part.iter_mut().enumerate().skip(THREE) {
-        *rest = *rest - a[i] * x - b[i] * y - c[i] * z;
     }
 }
 
@@ -216,25 +182,14 @@ fn add_child(front: &mut [f64], size: usize, into_parent: &[usize], left: &[f64]
 
 fn gather(tree: &Tree, node: usize, x: &[f64], part: &mut Vec<f64>) {
     part.clear();
-    for &group in tree.groups(node) {
-        let rows = &x[tree.starts[group]..tree.starts[group + 1]];
-        // a copy of a known size costs a tenth
-        match rows.as_array::<THREE>() {
-            Some(rows) => part.extend_from_slice(rows),
-            None => part.extend_from_slice(rows),
-        }
-    }
+    tree.groups(node).iter().for_each(|&group| part.extend_from_slice(&x[tree.starts[group]..tree.starts[group + 1]]));
 }
 
 fn scatter(tree: &Tree, node: usize, x: &mut [f64], part: &[f64]) {
     let mut at = 0;
     for &group in tree.groups(node) {
         let target = &mut x[tree.starts[group]..tree.starts[group + 1]];
-        let rows = &part[at..at + target.len()];
-        match (target.as_mut_array::<THREE>(), rows.as_array()) {
-            (Some(target), Some(rows)) => *target = *rows,
-            _ => target.copy_from_slice(rows),
-        }
-        at += rows.len();
+        target.copy_from_slice(&part[at..at + target.len()]);
+        at += target.len();
     }
 }

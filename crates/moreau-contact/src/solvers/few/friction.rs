@@ -12,9 +12,8 @@ use crate::tolerance::newton::{FEW_NEWTON_STEPS, FEW_ROUNDS, FEW_SWEEPS_BEFORE};
 use crate::tolerance::solvers::NONSMOOTH_PROXIMALS;
 use nalgebra::DVector;
 
-/// Rows of five contacts in space, and one, and of eight; more take the largest system.
+/// Rows of five contacts in space, and one; more take the larger system.
 const SHORT: usize = 16;
-const MIDDLE: usize = 24;
 const LONG: usize = 3 * MOST;
 
 /// The answer by sweeps and Newton's method.
@@ -59,10 +58,10 @@ impl<const D: usize> Contacts<D> {
                 return Some(found);
             }
             let proximal = proximals[taken.min(proximals.len() - 1)];
-            match step.count * D {
-                ..=SHORT => self.take(problem, &step, newton::step::<D, SHORT>(problem, self, &step, proximal)?),
-                ..=MIDDLE => self.take(problem, &step, newton::step::<D, MIDDLE>(problem, self, &step, proximal)?),
-                _ => self.take(problem, &step, newton::step::<D, LONG>(problem, self, &step, proximal)?),
+            if step.count * D <= SHORT {
+                self.take(problem, &step, newton::step::<D, SHORT>(problem, self, &step, proximal)?);
+            } else {
+                self.take(problem, &step, newton::step::<D, LONG>(problem, self, &step, proximal)?);
             }
             *iterations += 1;
         }
