@@ -1,6 +1,7 @@
 //! One contact at an answer, and its residuals.
 
 use super::part::Part;
+use super::scales::{at_least, at_most};
 pub(super) use moreau_exact::number::larger as worst;
 
 /// The residuals of one contact, in the order of [`Judged::entries`] without the velocity.
@@ -14,9 +15,12 @@ pub(super) struct AtContact {
 }
 
 /// One contact at an answer: its numbers, weights and scales.
+#[derive(Default)]
 pub(super) struct Here<'a> {
     pub contact: usize,
     pub friction: f64,
+    /// 1/√(1 + μ²) with the μ of the cone.
+    pub steepness: f64,
     pub r: &'a [f64],
     pub y: &'a [f64],
     /// ρ_n, ρ_t \[kg\].
@@ -36,6 +40,6 @@ impl Here<'_> {
     /// and s_t. For then friction is a size of its own: at μ = 10⁸ it may be all that holds the contact, while r_n is 10⁻⁸ of it.
     pub fn friction_scale(&self, mu: f64) -> f64 {
         let [_, s_r, s_t] = self.sizes;
-        if mu > 0.0 { (mu * s_r).min(s_r.max(s_t)) } else { s_r }
+        if mu > 0.0 { at_most(mu * s_r, at_least(s_r, s_t)) } else { s_r }
     }
 }

@@ -19,7 +19,7 @@ pub(super) fn find(problem: &ContactProblem) -> Lent<Vec<usize>> {
     if problem.bodies().is_none() && !knows_rows {
         return found;
     }
-    let pair = |k: usize| problem.bodies().map(|bodies| sorted(bodies[k]));
+    let pair = |k: usize| problem.bodies().map_or([None; 2], |bodies| sorted(bodies[k]));
     let mut order = all();
     order.sort_unstable_by_key(|k| (pair(*k), *k));
     let mut touching = Touching::default();
@@ -75,9 +75,9 @@ fn join_connected(problem: &ContactProblem, members: &mut [(usize, [usize; 2])],
         let first = members[start].0;
         let (mut next, mut end) = (start, start + 1);
         while next < end {
-            let (own, mut kept) = (members[next].0, end);
+            let (own, mut kept) = (Coupled::new(problem, members[next].0), end);
             for other in end..members.len() {
-                if couples(problem, [own, members[other].0]) {
+                if own.with(members[other].0) {
                     // the rest keeps its order
                     members[kept..=other].rotate_right(1);
                     kept += 1;
@@ -94,7 +94,7 @@ fn join_connected(problem: &ContactProblem, members: &mut [(usize, [usize; 2])],
 fn join_all_coupled(problem: &ContactProblem, members: &[usize], found: &mut [usize]) {
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for &k in members {
-        match groups.iter_mut().find(|group| group.iter().all(|&j| couples(problem, [j, k]))) {
+        match groups.iter_mut().find(|group| group.iter().all(|&j| Coupled::new(problem, j).with(k))) {
             Some(group) => {
                 found[k] = group[0];
                 group.push(k);
@@ -104,21 +104,40 @@ fn join_all_coupled(problem: &ContactProblem, members: &[usize], found: &mut [us
     }
 }
 
-/// Whether an impulse at one contact moves the other: whether an entry of W between them is more than rounding, compared with the diagonal.
-fn couples(problem: &ContactProblem, [j, k]: [usize; 2]) -> bool {
-    let rows = problem.rows_per_contact();
-    if let Some(blocks) = problem.delassus().stored_blocks() {
-        let of_diagonal = |block: &[f64]| block.iter().step_by(rows + 1).copied().fold(0.0, f64::max);
-        let largest = |k: usize| blocks.block(k, k).map_or(0.0, of_diagonal);
-        let seen = || COUPLED * largest(j).sqrt() * largest(k).sqrt();
-        return blocks.block(j, k).is_some_and(|block| {
-            let seen = seen();
-            block.iter().any(|w| w.abs() > seen)
-        });
+/// What an impulse at one contact moves: another one, if an entry of W between them is more than rounding, compared with the diagonal.
+struct Coupled<'a> {
+    problem: &'a ContactProblem,
+    contact: usize,
+    /// √ε times the root of the largest entry of its diagonal.
+    seen: f64,
+}
+
+impl<'a> Coupled<'a> {
+    fn new(problem: &'a ContactProblem, contact: usize) -> Self {
+        Coupled { problem, contact, seen: COUPLED * largest(problem, contact).sqrt() }
     }
-    let largest = |k: usize| (k * rows..(k + 1) * rows).map(|row| problem.entry(row, row)).fold(0.0, f64::max);
-    let seen = COUPLED * largest(j).sqrt() * largest(k).sqrt();
-    (0..rows * rows).any(|place| problem.entry(j * rows + place / rows, k * rows + place % rows).abs() > seen)
+
+    fn with(&self, other: usize) -> bool {
+        let Coupled { problem, contact, .. } = *self;
+        let (rows, seen) = (problem.rows_per_contact(), || self.seen * largest(problem, other).sqrt());
+        if let Some(blocks) = problem.delassus().stored_blocks() {
+            return blocks.block(contact, other).is_some_and(|block| {
+                let seen = seen();
+                block.iter().any(|w| w.abs() > seen)
+            });
+        }
+        let seen = seen();
+        (0..rows * rows).any(|place| problem.entry(contact * rows + place / rows, other * rows + place % rows).abs() > seen)
+    }
+}
+
+/// The largest entry on the diagonal of W at a contact, at least 0.
+fn largest(problem: &ContactProblem, contact: usize) -> f64 {
+    let rows = problem.rows_per_contact();
+    match problem.delassus().stored_blocks() {
+        Some(blocks) => blocks.block(contact, contact).map_or(0.0, |block| block.iter().step_by(rows + 1).copied().fold(0.0, f64::max)),
+        None => (contact * rows..(contact + 1) * rows).map(|row| problem.entry(row, row)).fold(0.0, f64::max),
+    }
 }
 
 #[cfg(test)]

@@ -19,7 +19,7 @@ use super::judged::Judged;
 use super::part::{Part, pair};
 use super::polyhedral::{self, Pairs};
 use super::remembered;
-use super::scales::{self, Held, Scales, Unheld};
+use super::scales::{self, Held, Scales, Unheld, at_least};
 use crate::cones::second_order::{distance_of, length, tangential_norm};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::certificate::PROJECTED;
@@ -177,13 +177,18 @@ impl Judge {
         let mut judged = Judged { loaded: self.scales.loaded(impulse), ..Default::default() };
         let [impulses, velocities, floors] = [impulse, law_velocity, &self.scales.floors[..]].map(|numbers| numbers.as_chunks::<ROWS>().0);
         let answer = impulses.iter().zip(velocities).zip(floors).zip(problem.friction());
+        // nearly all contacts have one μ
+        let mut cone = (f64::NAN, f64::NAN);
         for (k, (((r, y), floors), friction)) in answer.enumerate() {
             let is_open = || matches!(law, Law::Frictionless | Law::Coulomb) && opens(r, y) && self.scales.is_certain(k, floors);
             if k > 0 && is_open() {
                 continue;
             }
             let Held { weights, sizes, most, impulse, floors, uncertain } = self.scales.held(k, floors);
-            let here = Here { contact: k, friction: *friction, r, y, weights, sizes, impulse, floors, most };
+            if cone.0 != *friction {
+                cone = (*friction, 1.0 / length(law.cone_friction(*friction), 1.0));
+            }
+            let here = Here { contact: k, friction: *friction, steepness: cone.1, r, y, weights, sizes, impulse, floors, most };
             let at = match law {
                 Law::PolyhedralCoulomb { directions } => polyhedral::stewart_trinkle(&mut self.pairs, solution, directions, &here),
                 Law::PolyhedralAssociated { directions } => polyhedral::edges(&mut self.pairs, problem, solution, directions, &here)?,
@@ -217,25 +222,25 @@ fn opens<const ROWS: usize>(r: &[f64; ROWS], y: &[f64; ROWS]) -> bool {
 
 /// The residuals of one contact at r and y under a law with a second-order cone.
 fn second_order<const ROWS: usize>(law: Law, [r, y]: [&[f64; ROWS]; 2], here: &Here) -> AtContact {
-    let mu = if law == Law::Frictionless { 0.0 } else { here.friction };
+    let mu = law.cone_friction(here.friction);
     let ([rho, _], [s_n, _, _], [floor_n, floor_t]) = (here.weights, here.sizes, here.floors);
     let (slip, pushed) = (tangential_norm(y), tangential_norm(r));
-    let radius = mu * r[0].max(0.0);
+    let (radius, scaled) = (mu * at_least(0.0, r[0]), here.friction_scale(mu));
     let (w, floor) = if law == Law::Associated { (y[0] - mu * slip, floor_n + mu * floor_t) } else { (y[0], floor_n) };
     let velocity = Part { value: w.abs(), scale: s_n / rho, floor };
     let [s_i, rounding] = here.impulse;
-    let (scale, rounded) = if r[0] < 0.0 { (s_i, rounding) } else { (here.friction_scale(mu), PROJECTED * radius) };
+    let (scale, rounded) = if r[0] < 0.0 { (s_i, rounding) } else { (scaled, PROJECTED * radius) };
     let outside = Part { value: distance_of([r[0], pushed], mu), scale, floor: rounded };
     let loss = radius * slip + r[1..].iter().zip(&y[1..]).map(|(r, y)| r * y).sum::<f64>();
-    let rubbing = (here.friction_scale(mu) * slip).max(here.friction_scale(mu).max(radius) * here.sizes[2] / here.weights[1]);
+    let rubbing = (scaled * slip).max(scaled.max(radius) * here.sizes[2] / here.weights[1]);
     let sliding = Part { value: loss.abs(), scale: rubbing, floor: 0.0 };
     let rounded = Part { floor: (radius + pushed) * floor_t + PROJECTED * radius * slip, ..sliding };
-    let penetrating = Part { value: (-w).max(0.0), ..velocity };
+    let penetrating = Part { value: at_least(0.0, -w), ..velocity };
     let pressing = (s_n * w.abs()).max(s_n.max(r[0].abs()) * s_n / rho);
     let product = Part { value: (r[0] * w).abs(), scale: pressing, floor: r[0].abs() * floor };
     AtContact {
         primal: outside,
-        dual: nan_kept(penetrating, w).times(1.0 / length(mu, 1.0)),
+        dual: nan_kept(penetrating, w).times(here.steepness),
         complementarity: product.worse(if law == Law::Frictionless { Part::default() } else { rounded }),
         normal: pair([r[0], w], Part { value: r[0].abs(), scale: s_i, floor: rounding }, velocity.times(rho)),
         tangential: friction(mu, [r, y], here),
@@ -250,7 +255,7 @@ fn nan_kept(part: Part, from: f64) -> Part {
 /// ‖r_t − P_disk(r_t − ρ_t y_t)‖ with its scale and its rounding.
 fn friction<const ROWS: usize>(mu: f64, [r, y]: [&[f64; ROWS]; 2], here: &Here) -> Part {
     let rho = here.weights[1];
-    let radius = mu * r[0].max(0.0);
+    let radius = mu * at_least(0.0, r[0]);
     let mut z = [0.0; 2];
     z.iter_mut().zip(r[1..].iter().zip(&y[1..])).for_each(|(z, (r, y))| *z = r - rho * y);
     let reach = length(z[0], z[1]);

@@ -118,8 +118,7 @@ impl NaturalMap {
             let range = contact * rows..(contact + 1) * rows;
             let (r, y) = (&solution.impulse.as_slice()[range.clone()], &law_velocity.as_slice()[range.clone()]);
             let friction = problem.friction()[contact];
-            let here =
-                Here { contact, friction, r, y, weights: [rho; 2], sizes: [0.0; 3], impulse: [0.0; 2], most: [0.0; 2], floors: [0.0; 2] };
+            let here = Here { contact, friction, r, y, weights: [rho; 2], ..Default::default() };
             match problem.law() {
                 Law::PolyhedralCoulomb { directions } => pairs.fill_stewart_trinkle(solution, directions, &here),
                 Law::PolyhedralAssociated { directions } => pairs.fill_edges(problem, solution, directions, &here)?,

@@ -125,10 +125,11 @@ pub(super) struct Unheld<'a> {
 /// The weights of every contact: what its impulse moves at itself, and whether it moves anything.
 pub(super) fn weigh(problem: &ContactProblem) -> Weights {
     let (rows, operator, mut block) = (problem.rows_per_contact(), problem.delassus().of_contacts(), [0.0; MOST_ENTRIES]);
-    let block = &mut block[..rows * rows];
+    let (block, softness) = (&mut block[..rows * rows], problem.row_compliances());
     let one = |k: usize| {
         operator.diagonal_block(k, block);
-        let diagonal = |row: usize| block[row * (rows + 1)] + problem.row_compliance(k * rows + row);
+        let soft = |row: usize| softness.map_or(0.0, |softness| softness[row]);
+        let diagonal = |row: usize| block[row * (rows + 1)] + soft(k * rows + row);
         let tangential: f64 = (1..rows).map(diagonal).sum();
         [inverse(1.0, diagonal(0)), inverse((rows - 1) as f64, tangential)]
     };
@@ -202,13 +203,13 @@ impl Scales {
             let own = if known.moves_itself[0] { r[0].abs() } else { 0.0 };
             let pushed = [own.max(normal * moved(0).abs()), r[0].abs(), length(tangential_norm(r), r[0]).max(tangential * net)];
             let largest = &mut self.largest[known.island];
-            largest.impulse = largest.impulse.max(r[0].abs());
+            largest.impulse = at_least(largest.impulse, r[0].abs());
             for (row, q) in q.iter().enumerate() {
-                largest.given = largest.given.max(q.abs());
-                largest.fastest = largest.fastest.max(q.abs()).max(moved(row).abs());
+                largest.given = at_least(largest.given, q.abs());
+                largest.fastest = at_least(at_least(largest.fastest, q.abs()), moved(row).abs());
             }
             let sizes = &mut self.shared[known.group];
-            sizes.iter_mut().zip(pushed).for_each(|(size, pushed)| *size = size.max(pushed));
+            sizes.iter_mut().zip(pushed).for_each(|(size, pushed)| *size = at_least(*size, pushed));
             self.own.push(known.of_data(law, *mu, &q));
         }
         self.include_unheld(problem);
@@ -233,12 +234,13 @@ impl Scales {
     pub fn held<const ROWS: usize>(&self, contact: usize, floors: &[f64; ROWS]) -> Held {
         let known = &self.contacts[contact];
         let (weights, largest) = (known.weights, &self.largest[known.island]);
-        let (hidden, most) = (largest.hidden(), known.most(largest));
-        let (sizes, floors) = (self.sizes(contact, most), [floors[0], tangential_norm(floors)]);
+        let (hidden, jammed) = (largest.hidden(), known.jammed(largest));
+        let most = known.most(jammed);
+        let (sizes, floors) = (self.sizes(contact, jammed, most), [floors[0], tangential_norm(floors)]);
         let impulse = if known.moves_itself[0] { [sizes[0], 0.0] } else { self.of_impulse(known) };
         let value = floors[0].max(floors[1]);
         let uncertain = (value > hidden).then(|| Part { value, scale: sizes[0] / weights[0], floor: hidden });
-        Held { weights, sizes, most, impulse, floors: floors.map(|floor| floor.min(hidden)), uncertain }
+        Held { weights, sizes, most, impulse, floors: floors.map(|floor| at_most(hidden, floor)), uncertain }
     }
 
     /// Whether the rounding of y at the rows of a contact, which have these floors, is within what it may hide.
@@ -255,7 +257,7 @@ impl Scales {
             let given = self.largest[known.island].given;
             (known.moves_itself[0] && given > 0.0).then(|| r[0].abs() / (known.weights[0] * given))
         };
-        self.contacts.iter().zip(impulse.chunks_exact(rows.max(1))).filter_map(carried).fold(0.0, f64::max)
+        self.contacts.iter().zip(impulse.chunks_exact(rows.max(1))).filter_map(carried).fold(0.0, at_least)
     }
 
     /// The scale of r_n itself, with its rounding \[N·s\], where an impulse does not move its own contact, so that no velocity tells how
@@ -268,7 +270,8 @@ impl Scales {
     /// s_n, s_r and s_t of contact k \[N·s\].
     pub fn at(&self, contact: usize) -> [f64; 3] {
         let known = &self.contacts[contact];
-        self.sizes(contact, known.most(&self.largest[known.island]))
+        let jammed = known.jammed(&self.largest[known.island]);
+        self.sizes(contact, jammed, known.most(jammed))
     }
 
     /// s_n/ρ_n and s_t/ρ_t of contact k \[m/s\].
@@ -277,13 +280,16 @@ impl Scales {
         [s_n / rho_n, s_t / rho_t]
     }
 
-    /// [`Scales::at`] with what [`Known::most`] says of the contact.
+    /// [`Scales::at`] with what [`Known::jammed`] and [`Known::most`] say of the contact.
     #[inline]
-    fn sizes(&self, contact: usize, [moved_n, moved_t]: [f64; 2]) -> [f64; 3] {
-        let known = &self.contacts[contact];
-        let ([s_n, s_r, s_t], [own_n, own_r, own_t]) = (self.shared[known.group], self.own[contact]);
-        let [most_n, most_t] = known.jammed(&self.largest[known.island]);
-        [s_n.max(own_n).min(most_n), s_r.max(own_r).min(moved_n).min(moved_t), s_t.max(own_t).min(most_t)]
+    fn sizes(&self, contact: usize, [most_n, most_t]: [f64; 2], [moved_n, moved_t]: [f64; 2]) -> [f64; 3] {
+        let group = self.contacts[contact].group;
+        let ([s_n, s_r, s_t], [own_n, own_r, own_t]) = (self.shared[group], self.own[contact]);
+        [
+            at_most(at_least(s_n, own_n), most_n),
+            at_most(at_most(at_least(s_r, own_r), moved_n), moved_t),
+            at_most(at_least(s_t, own_t), most_t),
+        ]
     }
 }
 
@@ -304,8 +310,8 @@ impl Known {
 
     /// The same where impulses move their own contact so; else infinite.
     #[inline]
-    fn most(&self, largest: &Largest) -> [f64; 2] {
-        let ([normal, tangential], [moves_n, moves_t]) = (self.jammed(largest), self.moves_itself);
+    fn most(&self, [normal, tangential]: [f64; 2]) -> [f64; 2] {
+        let [moves_n, moves_t] = self.moves_itself;
         [if moves_n { normal } else { f64::INFINITY }, if moves_t { tangential } else { f64::INFINITY }]
     }
 }
@@ -339,6 +345,18 @@ fn closing(law: Law, mu: f64, q: &[f64]) -> f64 {
         }
         _ => q[0],
     }
+}
+
+/// The larger of two, of which the first is a number: a NaN changes nothing, as in [`f64::max`], which asks both.
+#[inline(always)]
+pub(super) fn at_least(number: f64, other: f64) -> f64 {
+    if other > number { other } else { number }
+}
+
+/// The smaller of two, of which the first is a number.
+#[inline(always)]
+pub(super) fn at_most(number: f64, other: f64) -> f64 {
+    if other < number { other } else { number }
 }
 
 /// count/trace, infinite if the trace is not positive.

@@ -96,10 +96,15 @@ impl Identity {
 
     /// Whether both are the same candidate: compared by bodies and features where they are known, by index otherwise.
     pub fn is_same(&self, other: &Identity) -> bool {
-        match (&self.place, &other.place) {
-            (Some(own), Some(other)) => own.is_same(other),
-            _ => self.index == other.index,
-        }
+        are_same((self.index, self.place.as_ref()), (other.index, other.place.as_ref()))
+    }
+}
+
+#[inline]
+fn are_same((own, place): (usize, Option<&Place>), (other, there): (usize, Option<&Place>)) -> bool {
+    match (place, there) {
+        (Some(place), Some(there)) => place.is_same(there),
+        _ => own == other,
     }
 }
 
@@ -117,7 +122,6 @@ pub struct ContactImpulse {
 impl ContactImpulse {
     /// Whether the impulse acted at this candidate: compared by features where they are known, by index otherwise.
     pub fn acts_at(&self, contact: usize, place: Option<&Place>) -> bool {
-        let own = Identity { index: self.contact, place: self.place };
-        own.is_same(&Identity { index: contact, place: place.copied() })
+        are_same((self.contact, self.place.as_ref()), (contact, place))
     }
 }

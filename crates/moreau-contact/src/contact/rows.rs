@@ -142,6 +142,33 @@ impl Rows {
         }
     }
 
+    /// [`Rows::add_product`] of two velocities in one pass, with the same bits.
+    ///
+    /// # Panics
+    /// As [`Rows::add_product`].
+    #[inline]
+    pub fn add_products(&self, velocities: [&[f64]; 2], found: [&mut [f64]; 2]) {
+        let [one, other] = found;
+        let sizes = [velocities[0].len(), velocities[1].len(), one.len(), other.len()];
+        assert_eq!(sizes, [self.columns, self.columns, self.rows, self.rows], "sizes fit");
+        for BodyRows { first, width, entries } in self.parts() {
+            let moved = velocities.map(|velocities| &velocities[first..first + width]);
+            let in_space = (moved.map(<[f64]>::as_array::<SPATIAL>), entries.as_chunks::<SPATIAL>().0.as_array::<3>());
+            if let (([Some(v), Some(w)], Some(rows)), Some(u), Some(x)) = (in_space, one.as_mut_array::<3>(), other.as_mut_array::<3>()) {
+                for (row, entries) in rows.iter().enumerate() {
+                    for (axis, h) in entries.iter().enumerate() {
+                        (u[row], x[row]) = (u[row] + h * v[axis], x[row] + h * w[axis]);
+                    }
+                }
+            } else {
+                for (moved, found) in moved.iter().zip([&mut *one, &mut *other]) {
+                    let rows = found.iter_mut().zip(entries.chunks_exact(width.max(1)));
+                    rows.for_each(|(u, row)| row.iter().zip(*moved).for_each(|(h, v)| *u += h * v));
+                }
+            }
+        }
+    }
+
     /// Adds Hᵀ r to `impulse`, the generalised impulse of r \[N·s\].
     ///
     /// # Panics
@@ -153,9 +180,11 @@ impl Rows {
             let pushed = &mut impulse[first..first + width];
             match pushed.as_mut_array::<SPATIAL>() {
                 Some(pushed) => {
+                    let mut sums = *pushed;
                     for (r, row) in contact.iter().zip(entries.as_chunks::<SPATIAL>().0) {
-                        (0..SPATIAL).for_each(|axis| pushed[axis] += row[axis] * r);
+                        (0..SPATIAL).for_each(|axis| sums[axis] += row[axis] * r);
                     }
+                    *pushed = sums;
                 }
                 None => {
                     for (r, row) in contact.iter().zip(entries.chunks_exact(width.max(1))) {
@@ -192,8 +221,27 @@ impl Rows {
 
     /// The columns in which an entry is not zero, growing.
     pub fn touched(&self) -> impl Iterator<Item = usize> {
-        let any = |part: BodyRows, axis: usize| part.entries[axis..].iter().step_by(part.width).any(|entry| *entry != 0.0);
-        self.parts().flat_map(move |part| (0..part.width).filter(move |axis| any(part, *axis)).map(move |axis| part.first + axis))
+        self.parts().flat_map(|part| (0..part.width).filter(move |axis| part.touches(*axis)).map(move |axis| part.first + axis))
+    }
+
+    /// Appends [`Rows::touched`].
+    pub(crate) fn push_touched(&self, columns: &mut Vec<usize>) {
+        for part in self.parts() {
+            match part.entries.as_chunks::<SPATIAL>().0.as_array::<3>().filter(|_| part.width == SPATIAL) {
+                Some([n, t1, t2]) => {
+                    let is_touched = |axis: &usize| (n[*axis] != 0.0) | (t1[*axis] != 0.0) | (t2[*axis] != 0.0);
+                    (0..SPATIAL).filter(is_touched).for_each(|axis| columns.push(part.first + axis));
+                }
+                None => (0..part.width).filter(|axis| part.touches(*axis)).for_each(|axis| columns.push(part.first + axis)),
+            }
+        }
+    }
+}
+
+impl BodyRows<'_> {
+    /// Whether an entry of a column is not zero.
+    fn touches(&self, axis: usize) -> bool {
+        self.entries[axis..].iter().step_by(self.width).any(|entry| *entry != 0.0)
     }
 }
 
@@ -263,6 +311,26 @@ mod tests {
         assert!((0..2).all(|i| rows.row(i) == dense.row(i).into_owned() && (0..7).all(|j| rows[(i, j)] == dense[(i, j)])));
         assert_eq!(Rows::from(dense), rows);
         assert_eq!(rows.touched().collect::<Vec<_>>(), [0, 2, 4, 5, 6]);
+    }
+
+    /// In the plane and in space, where the rows are gone through in another way.
+    #[test]
+    fn two_velocities_in_one_pass_move_as_each_alone_to_the_last_bit() {
+        let entry = |seed: usize| ((seed * 7919 + 13) % 101) as f64 / 37.0 - 1.0;
+        let spatial: [[f64; 6]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| if j == 4 { 0.0 } else { entry(7 * i + j) }));
+        let planar = Rows::zeros(2, 6).with(3, [[entry(1), entry(2), entry(3)], [0.0, entry(5), 0.0]]);
+        for rows in [Rows::zeros(3, 18).with(12, spatial).with(0, spatial.map(|row| row.map(|h| 0.1 - h))), planar] {
+            let [v, w] = [3, 50].map(|seed| DVector::from_fn(rows.ncols(), |i, _| entry(seed + i)));
+            let [mut one, mut other] = [vec![0.5; rows.nrows()], vec![-0.25; rows.nrows()]];
+            let (mut first, mut second) = (one.clone(), other.clone());
+            rows.add_product(v.as_slice(), &mut first);
+            rows.add_product(w.as_slice(), &mut second);
+            rows.add_products([v.as_slice(), w.as_slice()], [&mut one, &mut other]);
+            assert_eq!((one, other), (first, second));
+            let mut touched = Vec::new();
+            rows.push_touched(&mut touched);
+            assert_eq!(touched, rows.touched().collect::<Vec<_>>());
+        }
     }
 
     #[test]

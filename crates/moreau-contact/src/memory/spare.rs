@@ -28,47 +28,52 @@ pub trait Entry: Sized + 'static {
     fn shelf() -> &'static LocalKey<RefCell<Shelf<Self>>>;
 }
 
+/// How many powers of two a capacity can be.
+const SIZES: usize = usize::BITS as usize;
+
 /// Empty vectors, to be used again.
 #[derive(Debug)]
 pub struct Shelf<T> {
-    /// The smallest first.
-    vectors: Vec<Vec<T>>,
+    /// Those with room for 2ᵏ entries and less than twice as many.
+    sizes: [Vec<Vec<T>>; SIZES],
+    count: usize,
     bytes: usize,
 }
 
 impl<T> Shelf<T> {
     /// One without any.
     pub const fn new() -> Self {
-        Shelf { vectors: Vec::new(), bytes: 0 }
+        Shelf { sizes: [const { Vec::new() }; SIZES], count: 0, bytes: 0 }
     }
 
-    /// The smallest vector with so much room, unless it has far more: whoever keeps an answer to a small problem would keep it.
+    /// A vector of the smallest size with so much room, unless it has far more: whoever keeps an answer to a small problem would keep it.
     fn take(&mut self, room: usize) -> Option<Vec<T>> {
-        let place = self.vectors.partition_point(|vector| vector.capacity() < room);
-        let most = room.next_power_of_two().saturating_mul(SPARE_ROOM);
-        let fits = self.vectors.get(place).is_some_and(|vector| vector.capacity() <= most);
-        fits.then(|| self.remove(place))
+        let enough = room.checked_next_power_of_two()?.ilog2() as usize;
+        let most = (enough + SPARE_ROOM.ilog2() as usize).min(SIZES - 1);
+        (enough..=most).find(|size| !self.sizes[*size].is_empty()).and_then(|size| self.remove(size))
     }
 
-    fn remove(&mut self, place: usize) -> Vec<T> {
-        let vector = self.vectors.remove(place);
+    fn remove(&mut self, size: usize) -> Option<Vec<T>> {
+        let vector = self.sizes[size].pop()?;
+        self.count -= 1;
         self.bytes -= vector.capacity() * size_of::<T>();
-        vector
+        Some(vector)
     }
 
-    /// Keeps an empty vector, in place of the smallest one where there are many.
+    /// Keeps an empty vector, in place of a smaller one where there are many.
     fn keep(&mut self, vector: Vec<T>) {
         let bytes = vector.capacity() * size_of::<T>();
-        let place = self.vectors.partition_point(|other| other.capacity() < vector.capacity());
-        let is_full = self.vectors.len() == SPARE_VECTORS;
-        if bytes == 0 || self.bytes + bytes > SPARE_BYTES || (is_full && place == 0) {
+        if bytes == 0 || self.bytes + bytes > SPARE_BYTES {
             return;
         }
-        self.bytes += bytes;
-        self.vectors.insert(place, vector);
-        if is_full {
-            self.remove(0);
+        let size = vector.capacity().ilog2() as usize;
+        if self.count == SPARE_VECTORS {
+            let Some(smaller) = (0..size).find(|size| !self.sizes[*size].is_empty()) else { return };
+            self.remove(smaller);
         }
+        self.count += 1;
+        self.bytes += bytes;
+        self.sizes[size].push(vector);
     }
 }
 
@@ -339,7 +344,7 @@ mod tests {
     #[test]
     fn a_thread_keeps_no_more_than_its_limits() {
         in_a_new_thread(|| {
-            let kept = || f64::shelf().with_borrow(|shelf| (shelf.vectors.len(), shelf.bytes));
+            let kept = || f64::shelf().with_borrow(|shelf| (shelf.count, shelf.bytes));
             Vec::<f64>::with_capacity(SPARE_BYTES / 8 + 1).leave();
             assert_eq!(kept(), (0, 0));
             (1..SPARE_VECTORS + 8).for_each(|room| Vec::<f64>::with_capacity(room).leave());
@@ -354,7 +359,7 @@ mod tests {
     #[test]
     fn what_is_lent_leaves_its_memory_and_what_is_taken_out_does_not() {
         in_a_new_thread(|| {
-            let kept = || usize::shelf().with_borrow(|shelf| shelf.vectors.len());
+            let kept = || usize::shelf().with_borrow(|shelf| shelf.count);
             let lent: Lent<Vec<usize>> = vec![1, 2, 3].into();
             let copy = lent.clone();
             assert_eq!((&copy, copy.clone().into_inner()), (&lent, vec![1, 2, 3]));

@@ -112,10 +112,22 @@ impl BlockSparse {
 
     /// No blocks yet, with room for so many.
     pub(crate) fn with_capacity(rows_per_contact: usize, contacts: usize, blocks: usize) -> Self {
+        let entries = spare::vector(blocks * rows_per_contact * rows_per_contact).into();
+        BlockSparse { entries, ..BlockSparse::without_entries(rows_per_contact, contacts, blocks) }
+    }
+
+    /// The same without room for entries.
+    pub(super) fn without_entries(rows_per_contact: usize, contacts: usize, blocks: usize) -> Self {
         let mut starts = spare::vector(contacts + 1);
         starts.push(0);
-        let entries = spare::vector(blocks * rows_per_contact * rows_per_contact).into();
+        let entries = Lent::default();
         BlockSparse { rows_per_contact, starts: starts.into(), coupled: spare::vector(blocks).into(), entries }
+    }
+
+    /// Makes room for the entries of all blocks.
+    pub(super) fn make_room(&mut self) {
+        let size = self.rows_per_contact * self.rows_per_contact;
+        self.entries.make_room(self.coupled.len() * size);
     }
 
     /// Begins a column, by which those before are complete.
@@ -138,10 +150,10 @@ impl BlockSparse {
         Ok(())
     }
 
-    /// Appends a column of the contacts that `each` shows, growing; its blocks have no entries yet.
+    /// Appends a column of the contacts that `append` appends, growing; its blocks have no entries yet.
     #[inline]
-    pub(super) fn append_column(&mut self, each: impl FnOnce(&mut dyn FnMut(usize))) {
-        each(&mut |row| self.coupled.push(row));
+    pub(super) fn append_column(&mut self, append: impl FnOnce(&mut Vec<usize>)) {
+        append(&mut self.coupled);
         self.starts.push(self.coupled.len());
     }
 
@@ -183,6 +195,12 @@ impl BlockSparse {
         let (d, range) = (self.rows_per_contact, self.starts[contact]..self.starts[contact + 1]);
         let size = d * d;
         self.coupled[range.clone()].iter().copied().zip(self.entries[range.start * size..range.end * size].chunks_exact(size.max(1)))
+    }
+
+    /// The contacts j of [`BlockSparse::column`].
+    #[inline]
+    pub(crate) fn met(&self, contact: usize) -> &[usize] {
+        &self.coupled[self.starts[contact]..self.starts[contact + 1]]
     }
 
     /// W_jk, column by column; `None` where none is kept.
@@ -256,9 +274,11 @@ impl BlockSparse {
 
 impl ContactOperator for BlockSparse {
     fn diagonal_block(&self, contact: usize, block: &mut [f64]) {
-        match self.block(contact, contact) {
-            Some(found) => block.copy_from_slice(found),
-            None => block.fill(0.0),
+        match (self.block(contact, contact), block.as_mut_array::<9>()) {
+            (None, _) => block.fill(0.0),
+            // a copy of a known size costs a tenth
+            (Some(found), Some(block)) if found.len() == 9 => *block = *found.first_chunk().expect("nine entries"),
+            (Some(found), _) => block.copy_from_slice(found),
         }
     }
 

@@ -45,7 +45,7 @@ impl Islands {
             Operator::Blocks(stored) => {
                 let mut columns = 0..n;
                 while let (true, Some(k)) = (parts.count > 1, columns.next()) {
-                    stored.blocks.column(k).for_each(|(j, _)| parts.join(j, k));
+                    stored.blocks.met(k).iter().for_each(|j| parts.join(*j, k));
                 }
             }
             Operator::Dense(dense) => {
@@ -75,6 +75,7 @@ struct Parts {
 }
 
 impl Parts {
+    #[inline]
     fn join(&mut self, j: usize, k: usize) {
         if self.root[j] == self.root[k] {
             return;

@@ -9,27 +9,23 @@ use super::{BlockRows, BlockSparse, Lists, MatrixFree, Operator};
 use crate::contact::delassus::{MassFactor, delassus_factored};
 use crate::contact::{Inertia, Jacobian, Rows};
 use crate::memory;
-use crate::memory::spare::{self, Lent, spare_entries};
+use crate::memory::spare::{self, Lent};
 use crate::tolerance::problem::STORED_CONTACTS;
 use moreau_exact::number::are_finite;
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
-
-/// What one contact has at one body: H_bᵀ from the left, and the same over the pivots of the body's mass, velocities × rows.
-#[derive(Clone)]
-struct Half {
-    body: usize,
-    left: [f64; LARGEST],
-    weighted: [f64; LARGEST],
-}
-
-spare_entries![Half];
 
 /// Velocities of a free body times rows of a contact, at most.
 pub(super) const LARGEST: usize = 18;
 
 /// Rows and velocities of contacts between free bodies in space, which nearly all are.
 const SPATIAL: [usize; 2] = [3, 6];
+
+/// What stands together of three rows at a velocity, with the first once more.
+const SIDE: usize = 4;
+
+/// What is weighted of such a contact at one body.
+const WEIGHTED: usize = SIDE * SPATIAL[1];
 
 /// W = H M⁻¹ Hᵀ \[1/kg\]: by blocks where the mass consists of bodies and most contacts do not meet, densely otherwise, with the same
 /// entries bit for bit; where many contacts of bodies all meet, as those of one plate, it is not formed and acts through the bodies.
@@ -44,13 +40,13 @@ pub fn of_mechanism(inertia: &Inertia, jacobian: &Jacobian) -> Result<Operator> 
     let n = jacobian.contacts().len();
     if let Some(width) = body_width(jacobian).filter(|width| inertia.is_made_of(*width)) {
         let meeting = Meeting::new(jacobian, width);
-        let nearly_all_meet = n > STORED_CONTACTS && 2 * meeting.pairs >= n * n;
+        let most_do_not_meet = 2 * meeting.most < n * n || 2 * meeting.pairs() < n * n;
         // none where a mass is infinite
-        if let Some(masses) = if nearly_all_meet { inertia.bodies(width) } else { None } {
+        if let Some(masses) = if n > STORED_CONTACTS && !most_do_not_meet { inertia.bodies(width) } else { None } {
             return through_bodies(&masses, jacobian, width).map(Operator::from);
         }
         let blocks = blocks(inertia, jacobian, width, &meeting)?;
-        return Ok(if 2 * meeting.pairs < n * n { blocks.into() } else { blocks.to_dense().into() });
+        return Ok(if most_do_not_meet { blocks.into() } else { blocks.to_dense().into() });
     }
     let room = memory::matrix(jacobian.nrows(), jacobian.nrows())
         .saturating_add(memory::matrix(jacobian.nrows(), jacobian.ncols()).saturating_mul(2));
@@ -81,82 +77,111 @@ pub(super) fn body_width(jacobian: &Jacobian) -> Option<usize> {
 
 fn blocks(inertia: &Inertia, jacobian: &Jacobian, width: usize, meeting: &Meeting) -> Result<BlockSparse> {
     let d = jacobian.rows_per_contact();
-    memory::require("the Delassus blocks of this step", (meeting.pairs as u128).saturating_mul((8 * d * d + 16) as u128))?;
-    let halves = Halves::new(inertia.factor(), jacobian, width, meeting.members.total())?;
+    let require =
+        |blocks: usize| memory::require("the Delassus blocks of this step", (blocks as u128).saturating_mul((8 * d * d + 16) as u128));
+    require(meeting.most).or_else(|_| require(meeting.pairs()))?;
     let mut made = meeting.without_entries(d);
+    made.make_room();
+    let halves = Halves::new(inertia.factor(), jacobian, width, meeting.members.total())?;
     match [d, width] {
-        SPATIAL => fill::<3, 9>(&mut made, &halves, spatial_product),
-        [1, _] => fill::<1, 1>(&mut made, &halves, |later, earlier| product::<1, 1>(later, earlier, width)),
-        [2, _] => fill::<2, 4>(&mut made, &halves, |later, earlier| product::<2, 4>(later, earlier, width)),
-        _ => fill::<3, 9>(&mut made, &halves, |later, earlier| product::<3, 9>(later, earlier, width)),
+        SPATIAL => fill::<3, 9, Spread>(&mut made, &halves, |own, spread| spread.set(own), spatial_product),
+        [1, _] => fill::<1, 1, _>(&mut made, &halves, |own, kept| *kept = own, |later, own| product::<1, 1>(later, own, width)),
+        [2, _] => fill::<2, 4, _>(&mut made, &halves, |own, kept| *kept = own, |later, own| product::<2, 4>(later, own, width)),
+        _ => fill::<3, 9, _>(&mut made, &halves, |own, kept| *kept = own, |later, own| product::<3, 9>(later, own, width)),
     }
     Ok(made)
 }
 
-/// The halves of all contacts, those of contact k from starts[k] to starts[k + 1].
+/// What every contact has at each of its bodies: H_bᵀ from the left, row after row, and the same over the pivots of the body's mass, row
+/// after row, too, but between free bodies in space as [`spatial_product`] takes it.
 struct Halves {
-    halves: Lent<Vec<Half>>,
+    bodies: Lent<Vec<usize>>,
+    left: Lent<Vec<f64>>,
+    weighted: Lent<Vec<f64>>,
+    /// Those of contact k are numbers starts[k] .. starts[k + 1].
     starts: Lent<Vec<usize>>,
+    /// Entries of one from the left, and weighted.
+    sizes: [usize; 2],
+}
+
+/// The halves of one contact from one side, body after body, bodies growing.
+#[derive(Clone, Copy, Default)]
+struct Half<'a> {
+    bodies: &'a [usize],
+    entries: &'a [f64],
 }
 
 impl Halves {
     fn new(factor: &MassFactor<f64>, jacobian: &Jacobian, width: usize, total: usize) -> Result<Self> {
-        let mut halves: Lent<Vec<Half>> = spare::vector(total).into();
-        let mut starts: Lent<Vec<usize>> = spare::vector(jacobian.contacts().len() + 1).into();
+        let (rows, n) = (jacobian.rows_per_contact(), jacobian.contacts().len());
+        let sizes = if [rows, width] == SPATIAL { [LARGEST, WEIGHTED] } else { [rows * width; 2] };
+        let [left, weighted] = sizes.map(|size| spare::vector(size * total).into());
+        let mut made = Halves { bodies: spare::vector(total).into(), left, weighted, starts: spare::vector(n + 1).into(), sizes };
         for contact in jacobian.contacts() {
-            starts.push(halves.len());
+            made.starts.push(made.bodies.len());
             for part in contact.parts() {
                 if !are_finite(part.entries) {
                     let wrong = part.entries.iter().find(|entry| !entry.is_finite()).unwrap_or(&f64::NAN);
                     return Err(Error::invalid("jacobian", format!("holds {wrong}"), "use finite numbers"));
                 }
-                halves.push(Half::new(factor, [part.first, width], part.entries));
+                made.push(factor, [part.first, width], part.entries);
             }
         }
-        starts.push(halves.len());
-        Ok(Halves { halves, starts })
+        made.starts.push(made.bodies.len());
+        Ok(made)
     }
 
-    /// Those of a contact, bodies growing.
     #[inline]
-    fn of(&self, contact: usize) -> &[Half] {
-        &self.halves[self.starts[contact]..self.starts[contact + 1]]
-    }
-}
-
-impl Half {
-    #[inline]
-    fn new(factor: &MassFactor<f64>, [first, width]: [usize; 2], entries: &[f64]) -> Self {
-        let mut half = Half { body: first / width, left: [0.0; LARGEST], weighted: [0.0; LARGEST] };
-        let (left, pivots) = (&mut half.left[..entries.len()], &factor.pivots()[first..first + width]);
-        left.copy_from_slice(entries);
+    fn push(&mut self, factor: &MassFactor<f64>, [first, width]: [usize; 2], entries: &[f64]) {
+        let (begin, pivots) = (self.left.len(), &factor.pivots()[first..first + width]);
+        self.bodies.push(first / width);
+        self.left.extend_from_slice(entries);
+        let left = &mut self.left[begin..];
         if !factor.is_diagonal() {
             left.chunks_exact_mut(width).for_each(|row| factor.forward_within(first, row));
         }
-        match pivots.first_chunk::<{ SPATIAL[1] }>().filter(|_| width == SPATIAL[1]) {
-            Some(pivots) => weigh(&mut half.weighted, left, pivots),
-            None => weigh(&mut half.weighted, left, pivots),
+        match (left.as_array(), pivots.as_array()) {
+            (Some(left), Some(pivots)) if self.sizes[1] == WEIGHTED => weigh_in_space(&mut self.weighted, left, pivots),
+            _ => left.chunks_exact(width).for_each(|row| self.weighted.extend(row.iter().zip(pivots).map(|(y, d)| y / d))),
         }
-        half
+    }
+
+    #[inline]
+    fn left(&self, contact: usize) -> Half<'_> {
+        let (first, last, size) = (self.starts[contact], self.starts[contact + 1], self.sizes[0]);
+        Half { bodies: &self.bodies[first..last], entries: &self.left[size * first..size * last] }
+    }
+
+    #[inline]
+    fn weighted(&self, contact: usize) -> Half<'_> {
+        let (first, last, size) = (self.starts[contact], self.starts[contact + 1], self.sizes[1]);
+        Half { bodies: &self.bodies[first..last], entries: &self.weighted[size * first..size * last] }
     }
 }
 
-/// Row by row over the pivots.
-#[inline(always)]
-fn weigh(weighted: &mut [f64], left: &[f64], pivots: &[f64]) {
-    for (row, half) in weighted.chunks_exact_mut(pivots.len()).zip(left.chunks_exact(pivots.len())) {
-        row.iter_mut().zip(half).zip(pivots).for_each(|((weighted, y), d)| *weighted = y / d);
-    }
+/// Appends what is weighted of a contact between free bodies in space, velocity by velocity.
+#[inline]
+fn weigh_in_space(weighted: &mut Vec<f64>, left: &[f64; LARGEST], pivots: &[f64; SPATIAL[1]]) {
+    let over: [f64; LARGEST] = std::array::from_fn(|place| left[place] / pivots[place % SPATIAL[1]]);
+    let [n, t1, t2] = over.as_chunks::<{ SPATIAL[1] }>().0.as_array().expect("three rows");
+    let sides: [[f64; SIDE]; SPATIAL[1]] = std::array::from_fn(|axis| [n[axis], t1[axis], t2[axis], n[axis]]);
+    weighted.extend_from_slice(sides.as_flattened());
 }
 
-/// Appends the blocks of contacts of so many rows, of so many entries: W_jk = `product` of the halves of j and k, j ≥ k. Of a diagonal
-/// block the lower triangle is mirrored.
-fn fill<const ROWS: usize, const SIZE: usize>(made: &mut BlockSparse, halves: &Halves, product: impl Fn(&[Half], &[Half]) -> [f64; SIZE]) {
+/// Appends the blocks of contacts of so many rows, of so many entries: W_jk = `product` of the halves of j and of what `prepare` makes of
+/// those of k, j ≥ k. Of a diagonal block the lower triangle is mirrored.
+fn fill<'a, const ROWS: usize, const SIZE: usize, Own: Default>(
+    made: &mut BlockSparse,
+    halves: &'a Halves,
+    prepare: impl Fn(Half<'a>, &mut Own),
+    product: impl Fn(Half, &Own) -> [f64; SIZE],
+) {
     let (starts, coupled, entries) = made.parts_mut();
     // of every column so far the place of the first block that has not been mirrored yet
     let mut next: Lent<Vec<usize>> = spare::repeated(starts.len(), 0).into();
+    let mut prepared = Own::default();
     for k in 0..starts.len() - 1 {
-        let (met, own) = (&coupled[starts[k]..starts[k + 1]], halves.of(k));
+        let met = &coupled[starts[k]..starts[k + 1]];
         let (before, rest) = met.split_at(met.partition_point(|j| *j < k));
         let Some((_, after)) = rest.split_first() else { continue };
         for j in before {
@@ -166,41 +191,62 @@ fn fill<const ROWS: usize, const SIZE: usize>(made: &mut BlockSparse, halves: &H
             next[*j] += 1;
         }
         next[k] = starts[k] + before.len() + 1;
+        prepare(halves.left(k), &mut prepared);
         // it meets itself
-        let mut diagonal = product(own, own);
+        let mut diagonal = product(halves.weighted(k), &prepared);
         mirror::<ROWS, SIZE>(&mut diagonal);
         entries.extend_from_slice(&diagonal);
-        after.iter().for_each(|j| entries.extend_from_slice(&product(halves.of(*j), own)));
+        after.iter().for_each(|j| entries.extend_from_slice(&product(halves.weighted(*j), &prepared)));
     }
 }
 
-/// [`product`] of contacts between free bodies in space, with the same entries bit for bit.
-#[inline]
-fn spatial_product(later: &[Half], earlier: &[Half]) -> [f64; 9] {
-    const ROWS: usize = SPATIAL[0];
-    const WIDTH: usize = SPATIAL[1];
-    let mut block = [[0.0; ROWS]; ROWS];
-    for half in later {
-        let Some(other) = earlier.iter().find(|other| other.body == half.body) else { continue };
-        let [weighted, left] = [&half.weighted, &other.left].map(|rows| rows.as_chunks::<WIDTH>().0);
-        for axis in 0..WIDTH {
-            for (column, left) in block.iter_mut().zip(left) {
-                column.iter_mut().zip(weighted).for_each(|(entry, weighted)| *entry += weighted[axis] * left[axis]);
+/// The left halves of a contact between free bodies in space for [`spatial_product`], velocity after velocity: each of three rows as often
+/// as it has products.
+#[derive(Default)]
+struct Spread {
+    bodies: [usize; 2],
+    count: usize,
+    left: [[[f64; SPATIAL[0] * SPATIAL[0]]; SPATIAL[1]]; 2],
+}
+
+impl Spread {
+    #[inline]
+    fn set(&mut self, own: Half) {
+        self.count = own.bodies.len();
+        self.bodies[..self.count].copy_from_slice(own.bodies);
+        for (spread, left) in self.left.iter_mut().zip(own.entries.as_chunks::<LARGEST>().0) {
+            for (axis, products) in spread.iter_mut().enumerate() {
+                *products = std::array::from_fn(|place| left[place / SPATIAL[0] * SPATIAL[1] + axis]);
             }
         }
     }
-    *block.as_flattened().as_array().expect("as many entries")
+}
+
+/// [`product`] of contacts between free bodies in space, with the same entries bit for bit: the entries of a block that follow each other
+/// take factors that follow each other.
+#[inline]
+fn spatial_product(later: Half, own: &Spread) -> [f64; 9] {
+    const ROW: [usize; 9] = [0, 1, 2, 3, 1, 2, 0, 1, 2];
+    let mut block = [0.0; 9];
+    for (body, weighted) in later.bodies.iter().zip(later.entries.as_chunks::<WEIGHTED>().0) {
+        let Some(at) = own.bodies[..own.count].iter().position(|other| other == body) else { continue };
+        for (weighted, left) in weighted.as_chunks::<SIDE>().0.iter().zip(&own.left[at]) {
+            (0..9).for_each(|place| block[place] += weighted[ROW[place]] * left[place]);
+        }
+    }
+    block
 }
 
 /// Σ_b (L⁻¹H_jᵀ D⁻¹)(L⁻¹H_kᵀ) of the contacts j and k, column by column, with the terms in the order of the velocities.
 #[inline]
-fn product<const ROWS: usize, const SIZE: usize>(later: &[Half], earlier: &[Half], width: usize) -> [f64; SIZE] {
-    let mut block = [0.0; SIZE];
-    for half in later {
-        let Some(other) = earlier.iter().find(|other| other.body == half.body) else { continue };
+fn product<const ROWS: usize, const SIZE: usize>(later: Half, own: &Half, width: usize) -> [f64; SIZE] {
+    let (size, mut block) = (ROWS * width, [0.0; SIZE]);
+    for (part, body) in later.bodies.iter().enumerate() {
+        let Some(at) = own.bodies.iter().position(|other| other == body) else { continue };
+        let (weighted, left) = (&later.entries[part * size..], &own.entries[at * size..]);
         for (place, entry) in block.iter_mut().enumerate() {
             let (i, j) = (place % ROWS, place / ROWS);
-            let (weighted, left) = (&half.weighted[i * width..(i + 1) * width], &other.left[j * width..(j + 1) * width]);
+            let (weighted, left) = (&weighted[i * width..(i + 1) * width], &left[j * width..(j + 1) * width]);
             weighted.iter().zip(left).for_each(|(weighted, left)| *entry += weighted * left);
         }
     }
@@ -226,8 +272,8 @@ struct Meeting {
     bodies: Lent<Vec<[Option<usize>; 2]>>,
     /// The contacts of every body.
     members: Lists,
-    /// How many blocks W has.
-    pairs: usize,
+    /// How many blocks W has at most.
+    most: usize,
 }
 
 impl Meeting {
@@ -243,29 +289,36 @@ impl Meeting {
                 one.iter().chain(other).for_each(|body| show(*body, k));
             }
         });
-        let mut meeting = Meeting { bodies, members, pairs: 0 };
+        // contacts that touch both bodies are counted twice
+        let most = bodies.iter().flatten().flatten().map(|body| members[*body].len()).sum();
+        Meeting { bodies, members, most }
+    }
+
+    /// How many blocks W has.
+    fn pairs(&self) -> usize {
         let mut pairs = 0;
-        (0..meeting.bodies.len()).for_each(|k| meeting.each(k, |_| pairs += 1));
-        meeting.pairs = pairs;
-        meeting
+        (0..self.bodies.len()).for_each(|k| self.each(k, |_| pairs += 1));
+        pairs
     }
 
     /// Shows the contacts that touch a body of contact k, growing, each once.
     #[inline]
     fn each(&self, k: usize, mut show: impl FnMut(usize)) {
         let of = |body: Option<usize>| body.map_or(&[][..], |body| &self.members[body]);
-        let (mut one, mut other) = (of(self.bodies[k][0]), of(self.bodies[k][1]));
-        while let (Some(a), Some(b)) = (one.first(), other.first()) {
-            show(*a.min(b));
-            (one, other) = (&one[usize::from(a <= b)..], &other[usize::from(b <= a)..]);
+        let (one, other) = (of(self.bodies[k][0]), of(self.bodies[k][1]));
+        let (mut i, mut j) = (0, 0);
+        while i < one.len() && j < other.len() {
+            let (a, b) = (one[i], other[j]);
+            show(a.min(b));
+            (i, j) = (i + usize::from(a <= b), j + usize::from(b <= a));
         }
-        one.iter().chain(other).for_each(|k| show(*k));
+        one[i..].iter().chain(&other[j..]).for_each(|k| show(*k));
     }
 
     /// W of contacts of so many rows, whose blocks have no entries yet.
     fn without_entries(&self, rows: usize) -> BlockSparse {
-        let mut made = BlockSparse::with_capacity(rows, self.bodies.len(), self.pairs);
-        (0..self.bodies.len()).for_each(|k| made.append_column(|push| self.each(k, push)));
+        let mut made = BlockSparse::without_entries(rows, self.bodies.len(), self.most);
+        (0..self.bodies.len()).for_each(|k| made.append_column(|coupled| self.each(k, |j| coupled.push(j))));
         made
     }
 }

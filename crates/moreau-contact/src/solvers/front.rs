@@ -23,21 +23,33 @@ fn subtract(c: &mut [f64], [m, n, k]: [usize; 3], size: usize, a: &[f64], b: &[f
         DMatrixViewMut::from_slice_with_strides_mut(c, m, n, 1, size).gemm(-1.0, &a, &b, 1.0);
         return;
     }
-    for j in 0..n {
-        let column = &mut c[j * size..j * size + m];
-        let factor = |p: usize| b[p * strides[0] + j * strides[1]];
-        let of = |p: usize| &a[p * size..p * size + m];
-        let mut p = 0;
-        while p + 4 <= k {
-            let (f, [a0, a1, a2, a3]) = ([0, 1, 2, 3].map(|q| factor(p + q)), [0, 1, 2, 3].map(|q| of(p + q)));
-            for i in 0..m {
-                column[i] -= a0[i] * f[0] + a1[i] * f[1] + a2[i] * f[2] + a3[i] * f[3];
-            }
-            p += 4;
+    const { assert!(COLUMNS == 4, "some numbers of terms would be left out") };
+    for p in (0..k).step_by(COLUMNS) {
+        let (a, b) = (&a[p * size..], |q: usize, j: usize| b[(p + q) * strides[0] + j * strides[1]]);
+        match k - p {
+            1 => subtract_terms::<1>(c, [m, n], size, a, b),
+            2 => subtract_terms::<2>(c, [m, n], size, a, b),
+            3 => subtract_terms::<3>(c, [m, n], size, a, b),
+            _ => subtract_terms::<COLUMNS>(c, [m, n], size, a, b),
         }
-        for p in p..k {
-            let f = factor(p);
-            column.iter_mut().zip(of(p)).for_each(|(c, a)| *c -= a * f);
+    }
+}
+
+/// [`subtract`] of N terms: [`COLUMNS`] of them are added up before, fewer are subtracted one after the other.
+#[inline]
+fn subtract_terms<const N: usize>(c: &mut [f64], [m, n]: [usize; 2], size: usize, a: &[f64], b: impl Fn(usize, usize) -> f64) {
+    let mut columns = [&a[..m]; N];
+    (1..N).for_each(|q| columns[q] = &a[q * size..q * size + m]);
+    for j in 0..n {
+        let mut factors = [0.0; N];
+        (0..N).for_each(|q| factors[q] = b(q, j));
+        for (i, entry) in c[j * size..j * size + m].iter_mut().enumerate() {
+            if N == COLUMNS {
+                let first = columns[0][i] * factors[0];
+                *entry -= (1..N).fold(first, |sum, q| sum + columns[q][i] * factors[q]);
+            } else {
+                *entry = (0..N).fold(*entry, |left, q| left - columns[q][i] * factors[q]);
+            }
         }
     }
 }
@@ -128,17 +140,33 @@ fn update(front: &mut [f64], size: usize, [first, end, limit]: [usize; 3], copie
 }
 
 /// Solves with the unit lower triangle of the columns first .. end in place, a few of them at a time.
+#[inline]
 fn forward(lower: &[f64], size: usize, [first, end]: [usize; 2], x: &mut [f64]) {
-    for begin in (first..end).step_by(COLUMNS) {
+    let mut begin = first;
+    while begin < end {
         let last = (begin + COLUMNS).min(end);
-        for j in begin..last {
-            let (known, column) = (x[j], &lower[j * size..]);
-            x[j + 1..last].iter_mut().zip(&column[j + 1..last]).for_each(|(x, l)| *x -= l * known);
+        match last - begin {
+            2 => forward_within::<2>(lower, size, begin, x),
+            3 => forward_within::<3>(lower, size, begin, x),
+            COLUMNS => forward_within::<COLUMNS>(lower, size, begin, x),
+            _ => {}
         }
         if last < end {
             let (known, rest) = x.split_at_mut(last);
             subtract(&mut rest[..end - last], [end - last, 1, last - begin], size, &lower[begin * size + last..], &known[begin..], [1, 0]);
         }
+        begin = last;
+    }
+}
+
+/// The same with N columns that follow each other.
+#[inline]
+fn forward_within<const N: usize>(lower: &[f64], size: usize, begin: usize, x: &mut [f64]) {
+    let x: &mut [f64; N] = x[begin..].first_chunk_mut().expect("as many entries as columns");
+    for j in 0..N - 1 {
+        let column: &[f64; N] = lower[(begin + j) * size + begin..].first_chunk().expect("as many entries as columns");
+        let known = x[j];
+        (j + 1..N).for_each(|i| x[i] -= column[i] * known);
     }
 }
 

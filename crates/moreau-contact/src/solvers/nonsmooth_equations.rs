@@ -181,21 +181,23 @@ impl<'a> Equations<'a> {
         slopes: Option<(&mut Vec<Slopes>, f64)>,
     ) {
         let (rows, [rho_n, rho_t]) = (self.problem.rows_per_contact(), self.weights[k]);
-        let (normal, mu) = (k * rows, super::cone_friction(self.problem, k));
-        let tangent = |vector: &DVector<f64>, i: usize| if i + 1 < rows { vector[normal + 1 + i] } else { 0.0 };
-        let [r_t, y_t] = [impulse, law_velocity].map(|vector| [tangent(vector, 0), tangent(vector, 1)]);
+        let (own, mu) = (k * rows..(k + 1) * rows, super::cone_friction(self.problem, k));
+        let [r, y] = [impulse, law_velocity].map(|vector| &vector.as_slice()[own.clone()]);
+        let residual = &mut residual.as_mut_slice()[own];
+        let tangent = |of: &[f64], i: usize| of.get(1 + i).copied().unwrap_or(0.0);
+        let [r_t, y_t] = [r, y].map(|of| [tangent(of, 0), tangent(of, 1)]);
         let associated = matches!(self.problem.law(), Law::Associated | Law::PolyhedralAssociated { .. });
         let lifted = if associated { self.set.against(y_t).map(|share| mu * share) } else { [0.0; 2] };
-        let w = law_velocity[normal] + lifted[0] * y_t[0] + lifted[1] * y_t[1];
-        let a = impulse[normal] - rho_n * w;
+        let w = y[0] + lifted[0] * y_t[0] + lifted[1] * y_t[1];
+        let a = r[0] - rho_n * w;
         let presses = a > 0.0;
-        residual[normal] = if presses { rho_n * w } else { impulse[normal] };
-        let radius = self.radius.radius(mu, [impulse[normal], a]);
+        residual[0] = if presses { rho_n * w } else { r[0] };
+        let radius = self.radius.radius(mu, [r[0], a]);
         let piece = self.set.piece(radius, [r_t[0] - rho_t * y_t[0], r_t[1] - rho_t * y_t[1]]);
         // F_t = (I − A) r_t + A ρ_t y_t − g R, without the difference of two numbers as large as r_t where the contact sticks
         for i in 0..rows - 1 {
             let moved = |j: usize| piece.stays(i, j) * r_t[j] + piece.along[i][j] * rho_t * y_t[j];
-            residual[normal + 1 + i] = (0..rows - 1).map(moved).sum::<f64>() - piece.growth[i] * radius;
+            residual[1 + i] = (0..rows - 1).map(moved).sum::<f64>() - piece.growth[i] * radius;
         }
         if let Some((slopes, proximal)) = slopes {
             slopes.push(self.slopes(k, presses, lifted, &piece, proximal));

@@ -191,6 +191,11 @@ fn pull(of: &VelocityFactor, tree: &Tree, contact: usize, v: &[f64]) -> Vector3<
     let mut moved = Vector3::zeros();
     for &(group, at) in of.parts(contact) {
         let v = &v[tree.starts[group]..tree.starts[group + 1]];
+        if let (Some(v), Some(rows)) = (v.as_array::<SPATIAL>(), of.entries[at..].as_chunks::<SPATIAL>().0.first_chunk::<3>()) {
+            let dot = |row: &[f64; SPATIAL]| row.iter().zip(v).map(|(y, v)| y * v).sum::<f64>();
+            (0..3).for_each(|i| moved[i] += dot(&rows[i]));
+            continue;
+        }
         for (i, row) in of.entries[at..at + 3 * v.len()].chunks_exact(v.len().max(1)).enumerate() {
             moved[i] += row.iter().zip(v).map(|(y, v)| y * v).sum::<f64>();
         }

@@ -19,7 +19,7 @@ pub const FILE_PART: usize = 1 << 16;
 /// Set.
 pub const MEMORY_BYTES: u64 = 1 << 32;
 
-/// Most spare vectors of a kind that a thread keeps for its next step; each is looked for among all.
+/// Most spare vectors of a kind that a thread keeps for its next step.
 /// Set.
 pub const SPARE_VECTORS: usize = 64;
 

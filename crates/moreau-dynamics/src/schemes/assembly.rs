@@ -58,7 +58,10 @@ pub fn assemble(name: &str, rules: &dyn Rules, at: &StepContext) -> Result<StepP
         part.copy_from_slice(&rules.shift(&candidate, at.h()));
     }
     let friction = held.active.iter().map(|k| at.contacts()[*k].friction);
-    let problem = ContactProblem::from_inertia(&held.effective_mass, &held.jacobian, &held.free_velocity)
+    // H v_free is known, contact by contact
+    let mut free_velocity = spare::vector(rows * held.active.len());
+    velocities.iter().for_each(|[_, free]| free_velocity.extend_from_slice(free));
+    let problem = ContactProblem::from_free_velocity(&held.effective_mass, &held.jacobian, free_velocity.into())
         .name(problem_name(at, name))
         .law(rules.law(rows))
         .rows_per_contact(rows)
@@ -109,8 +112,7 @@ fn chosen(at: &StepContext, theta: f64, is_active: impl Fn(&Candidate) -> bool) 
     let (mut active, mut velocities) = (spare::vector(all), Lent::from(spare::vector(all)));
     for (index, contact) in at.contacts().iter().enumerate() {
         let [mut velocity, mut free] = [Components::zeros(rows); 2];
-        contact.jacobian.add_product(at.state().velocity.as_slice(), &mut velocity);
-        contact.jacobian.add_product(free_velocity.as_slice(), &mut free);
+        contact.jacobian.add_products([at.state().velocity.as_slice(), free_velocity.as_slice()], [&mut velocity, &mut free]);
         let candidate = Candidate { contact, velocity, free_velocity: free };
         if is_active(&candidate) {
             active.push(index);

@@ -144,10 +144,10 @@ impl Rules for MoreauJean {
     }
 
     fn shift(&self, candidate: &Candidate, _h: f64) -> Components {
-        let reversed: Components = candidate.velocity.iter().map(|u| u * candidate.contact.restitution).collect();
+        let Candidate { contact, velocity, .. } = candidate;
         match self.restitution {
-            RestitutionRule::NormalOnly => normal_only(reversed[0], reversed.len()),
-            RestitutionRule::FullVector => reversed,
+            RestitutionRule::NormalOnly => normal_only(velocity[0] * contact.restitution, velocity.len()),
+            RestitutionRule::FullVector => velocity.iter().map(|u| u * contact.restitution).collect(),
         }
     }
 

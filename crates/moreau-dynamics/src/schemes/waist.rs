@@ -88,15 +88,18 @@ pub fn step_in_parts(start: &Start, parts: &Parts) -> Result<Step> {
     let whole = StepContext::new(mechanism, state, h)?;
     let before = mechanism.reach(&state.velocity, h);
     let mut reach = 2.0 * before;
+    let ahead = if reach.is_finite() { mechanism.reach(whole.forecast()?, h) } else { f64::INFINITY };
     if reach.is_finite() {
-        reach = reach.max(2.0 * mechanism.reach(whole.forecast()?, h));
+        reach = reach.max(2.0 * ahead);
     }
     loop {
         afford(mechanism, &state.position, reach)?;
         let near = Nearby { mechanism, reach };
         let at = whole.of(&near);
         let assembled = (parts.assemble)(&at)?;
-        let needed = before.max(mechanism.reach(&assembled.free_velocity, h));
+        // without linear forces v_free is the forecast
+        let is_ahead = reach.is_finite() && assembled.free_velocity == *whole.forecast()?;
+        let needed = before.max(if is_ahead { ahead } else { mechanism.reach(&assembled.free_velocity, h) });
         if needed > reach {
             (parts.discard)();
             reach = 2.0 * needed;
@@ -140,7 +143,7 @@ pub fn carry_over(previous: &[ContactImpulse], active: &[usize], places: &[Optio
     let (mut start, mut next) = (spare::zeros(rows * active.len()), 0);
     for (k, (contact, place)) in active.iter().zip(places).enumerate() {
         if let Some(at) = place_of(previous, &mut next, *contact, place.as_ref()) {
-            start.rows_mut(k * rows, rows).copy_from_slice(&previous[at].impulse);
+            start.as_mut_slice()[k * rows..(k + 1) * rows].copy_from_slice(&previous[at].impulse);
         }
     }
     start

@@ -80,6 +80,15 @@ impl ContactProblem {
     /// is stored by blocks where most contacts do not meet, and no matrix is as large as the mechanism.
     pub fn from_inertia(inertia: &Arc<Inertia>, jacobian: &Arc<Jacobian>, free_motion: &DVector<f64>) -> ContactProblemBuilder {
         let free_velocity = fitting(jacobian.ncols(), free_motion).map(|motion| &**jacobian * motion);
+        ContactProblem::from_inertia_at(inertia, jacobian, free_velocity)
+    }
+
+    /// [`ContactProblem::from_inertia`] where u_free = H v_free is known \[m/s\].
+    pub fn from_free_velocity(inertia: &Arc<Inertia>, jacobian: &Arc<Jacobian>, free_velocity: DVector<f64>) -> ContactProblemBuilder {
+        ContactProblem::from_inertia_at(inertia, jacobian, Ok(free_velocity))
+    }
+
+    fn from_inertia_at(inertia: &Arc<Inertia>, jacobian: &Arc<Jacobian>, free_velocity: Result<DVector<f64>>) -> ContactProblemBuilder {
         let known = Known::sparse(inertia.clone(), jacobian.clone());
         ContactProblemBuilder::of(of_mechanism(inertia, jacobian), free_velocity, Some(known))
     }

@@ -105,8 +105,7 @@ impl Known {
         match self {
             Known::Sparse { jacobian, members, .. } => {
                 let contact = members.as_ref().map_or(contact, |members| members[contact]);
-                // from within: an iterator of several parts goes through its own loops then
-                jacobian.contacts()[contact].touched().for_each(|column| columns.push(column));
+                jacobian.contacts()[contact].push_touched(columns);
             }
             Known::Listed { listed, .. } => listed.push_touched(contact, columns),
             Known::Dense(Dynamics { jacobian, .. }) => {

@@ -276,7 +276,10 @@ impl ContactProblem {
             Operator::Dense(dense) => dense.add_contact(contact, change, law_velocity),
             other => other.of_contacts().add_contact(contact, change, law_velocity),
         }
-        (first..).zip(change).for_each(|(row, change)| law_velocity[row] += self.row_compliance(row) * change);
+        let softness = self.row_compliances();
+        let soft = |row: usize| softness.map_or(0.0, |softness| softness[row]);
+        let rows = law_velocity[first..].iter_mut().zip(change).enumerate();
+        rows.for_each(|(at, (y, change))| *y += soft(first + at) * change);
     }
 
     /// W, however it is stored.

@@ -146,10 +146,10 @@ impl<'a> Pair<'a> {
     fn over_rim(&self, body: usize, manifold: &ContactManifold<(), ()>) -> impl Iterator<Item = TrackedContact<()>> {
         let (axes, other) = ([manifold.local_n1, manifold.local_n2], 1 - body);
         let face = self.cuboids[body].support_face(axes[body]);
-        let (opposite, half_extents) = (self.cuboids[other].support_face(axes[other]).fid, self.cuboids[other].half_extents);
+        let (opposite, rim) = (self.cuboids[other].support_face(axes[other]).fid, Rim::new(axes[other], self.cuboids[other].half_extents));
         let into = if body == 0 { self.relative.inverse() } else { self.relative };
         face.vertices.into_iter().zip(face.vids).filter_map(move |(corner, feature)| {
-            let (foot, distance) = on_rim(into * corner, axes[other], half_extents)?;
+            let (foot, distance) = rim.foot(into * corner)?;
             Some(TrackedContact::flipped(corner, foot, feature, opposite, distance, body == 1))
         })
     }
@@ -243,15 +243,30 @@ fn are_opposite(beside: &[[Vector3<f64>; 2]; 2], outward: &Vector3<f64>) -> bool
     aside[0].dot(&aside[1]) < 0.0
 }
 
-/// The foot of a place along an outward axis on the face of a box that looks along it, and how far it is, if the foot is on the face's rim.
-fn on_rim(place: Vector, along: Vector, half_extents: Vector) -> Option<(Vector, f64)> {
-    let [place, axis, half] = [place, along, half_extents].map(|x| Vector3::new(x.x, x.y, x.z));
-    let facing = axis.iamax();
-    let distance = place[facing] / axis[facing] - half[facing] / axis[facing].abs();
-    let foot = place - axis * distance;
-    let over = |k: usize| if k == facing { f64::NEG_INFINITY } else { foot[k].abs() - half[k] };
-    let farthest = over(0).max(over(1)).max(over(2));
-    (farthest.abs() <= ON_RIM).then(|| (vector(foot), distance))
+/// The rim of the face of a box that looks along an outward axis.
+struct Rim {
+    axis: [f64; 3],
+    half: [f64; 3],
+    facing: usize,
+    /// How far the face is along the axis.
+    reach: f64,
+}
+
+impl Rim {
+    fn new(along: Vector, half_extents: Vector) -> Self {
+        let [axis, half] = [along, half_extents].map(|x| [x.x, x.y, x.z]);
+        let facing = Vector3::from(axis).iamax();
+        Rim { axis, half, facing, reach: half[facing] / axis[facing].abs() }
+    }
+
+    /// The foot of a place along the axis on the face, and how far it is, if the foot is on the rim.
+    fn foot(&self, place: Vector) -> Option<(Vector, f64)> {
+        let (place, facing) = ([place.x, place.y, place.z], self.facing);
+        let distance = place[facing] / self.axis[facing] - self.reach;
+        let foot: [f64; 3] = std::array::from_fn(|k| place[k] - self.axis[k] * distance);
+        let [one, other] = [1, 2].map(|next| (facing + next) % 3).map(|k| foot[k].abs() - self.half[k]);
+        (one.max(other).abs() <= ON_RIM).then(|| (Vector::new(foot[0], foot[1], foot[2]), distance))
+    }
 }
 
 fn vector(x: Vector3<f64>) -> Vector {

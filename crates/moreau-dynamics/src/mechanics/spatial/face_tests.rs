@@ -79,8 +79,10 @@ fn blocks(bodies: &SpatialBodies, q: &DVector<f64>, touches: &[Touch]) -> [DMatr
     let poses: Vec<Pose> = bodies.poses(q).collect();
     let second = (poses.len() > 1).then_some(1);
     let two = [&poses[0], &poses[poses.len() - 1]];
-    let rows: Vec<DMatrix<f64>> =
-        touches.iter().map(|touch| bodies.contact((0, second), touch, touch.seen, two).jacobian.to_dense()).collect();
+    let rows: Vec<DMatrix<f64>> = touches
+        .iter()
+        .map(|touch| bodies.contact((0, second), touch, frame_of(&touch.normal), touch.seen, two).jacobian.to_dense())
+        .collect();
     [0, 1, 2].map(|row| DMatrix::from_fn(rows.len(), rows[0].ncols(), |k, column| rows[k][(row, column)]))
 }
 
@@ -226,7 +228,7 @@ fn gaps_of_parallel_faces_change_at_the_rate_of_their_rows_up_to_the_angle_betwe
                 let same = |list: &[Touch]| list.iter().find(|other| other.features == touch.features).copied();
                 let (Some(after), Some(before)) = (same(&after), same(&before)) else { continue };
                 let (measured, turning) = ((after.gap - before.gap) / (2.0 * h), (after.normal - before.normal).norm() / (2.0 * h));
-                let rates = &bodies.contact((0, Some(1)), touch, touch.seen, [&poses[0], &poses[1]]).jacobian * &v;
+                let rates = &bodies.contact((0, Some(1)), touch, frame_of(&touch.normal), touch.seen, [&poses[0], &poses[1]]).jacobian * &v;
                 // v_t at the two points that touch and at the one that is seen differ by the gap times a spin
                 let slip = rates[1].hypot(rates[2]) + touch.gap.abs() * (turning + spin(0, &v).norm() + spin(1, &v).norm());
                 let angle = touch.normal.cross(&own.normal).norm() / touch.normal.dot(&own.normal);

@@ -72,6 +72,8 @@ pub struct SpatialBodies {
     materials: Materials,
     /// The diagonal of M, infinite where nothing moves the body.
     inertias: DVector<f64>,
+    /// Of every body that of [`Shape::radius`] \[m\].
+    radii: Vec<f64>,
     neighbours: Neighbours,
 }
 
@@ -102,8 +104,9 @@ impl SpatialBodies {
         }
         let diagonal = bodies.iter().flat_map(|body| [body.mass(); 3].into_iter().chain(body.moments().iter().copied()));
         let inertias = DVector::from_iterator(6 * bodies.len(), diagonal);
+        let radii = bodies.iter().map(|body| body.shape().radius()).collect();
         let (name, gravity, neighbours) = (name.into(), gravity.into(), Neighbours::default());
-        Ok(SpatialBodies { name, bodies, gravity, ground: None, materials, inertias, neighbours })
+        Ok(SpatialBodies { name, bodies, gravity, ground: None, materials, inertias, radii, neighbours })
     }
 
     /// The same bodies with some pairs' friction and restitution overridden.
@@ -123,14 +126,19 @@ impl SpatialBodies {
         (0..self.bodies.len()).map(|body| Pose::of(body, position))
     }
 
-    /// A candidate of two bodies at these poses, its rows taken at the points `seen` of the two.
-    fn contact(&self, (first, second): (usize, Option<usize>), touch: &Touch, seen: [Vector3<f64>; 2], poses: [&Pose; 2]) -> Contact {
-        let [t1, t2] = spatial_tangents(touch.normal.into());
-        let frame = [touch.normal.into(), t1, t2];
+    /// A candidate of two bodies at these poses in this frame, its rows taken at the points `seen` of the two.
+    fn contact(
+        &self,
+        (first, second): (usize, Option<usize>),
+        touch: &Touch,
+        frame: [[f64; 3]; 3],
+        seen: [Vector3<f64>; 2],
+        poses: [&Pose; 2],
+    ) -> Contact {
         let rows = |pose: &Pose, point: Vector3<f64>, sign: f64| {
             let lever = point - pose.centre;
             let row = |direction: [f64; 3]| six(sign, direction, pose.rotation.tr_mul(&lever.cross(&Vector3::from(direction))).into());
-            [row(frame[0]), row(t1), row(t2)]
+            [row(frame[0]), row(frame[1]), row(frame[2])]
         };
         let (friction, restitution) = self.materials.of(first, second);
         let place = Place { bodies: (first, second), features: touch.features, frame };
@@ -146,9 +154,14 @@ impl SpatialBodies {
     /// The candidates with a gap of at most `reach`, their rows taken at the points of the two bodies that `seen` chooses.
     fn candidates(&self, position: &DVector<f64>, reach: f64, seen: impl Fn(&Touch) -> [Vector3<f64>; 2]) -> Vec<Contact> {
         let mut contacts = spare::vector(self.neighbours.expected());
+        // those of one face, and all on the ground, have one normal
+        let mut frame = [[f64::NAN; 3]; 3];
         self.touches(position, reach, |poses, first, second, touch| {
             let two = [&poses[first], &poses[second.unwrap_or(first)]];
-            contacts.push(self.contact((first, second), touch, seen(touch), two));
+            if frame[0].map(f64::to_bits) != <[f64; 3]>::from(touch.normal).map(f64::to_bits) {
+                frame = frame_of(&touch.normal);
+            }
+            contacts.push(self.contact((first, second), touch, frame, seen(touch), two));
         });
         self.neighbours.expect(contacts.len());
         contacts
@@ -163,6 +176,12 @@ impl SpatialBodies {
         }
         force
     }
+}
+
+/// n, t₁ and t₂ of a normal.
+fn frame_of(normal: &Vector3<f64>) -> [[f64; 3]; 3] {
+    let [t1, t2] = spatial_tangents((*normal).into());
+    [(*normal).into(), t1, t2]
 }
 
 /// Ω of body k.
@@ -280,7 +299,8 @@ impl Mechanism for SpatialBodies {
                 pair_touches(self.bodies[first].shape(), &own, self.bodies[second].shape(), &other, &mut touches);
             }
         }
-        touches.list.iter().map(|touch| self.contact((first, second), touch, touch.seen, [&own, &other])).collect()
+        let contact = |touch: &Touch| self.contact((first, second), touch, frame_of(&touch.normal), touch.seen, [&own, &other]);
+        touches.list.iter().map(contact).collect()
     }
 
     fn contacts_halfway(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
@@ -325,9 +345,9 @@ impl Mechanism for SpatialBodies {
     /// h(1 + μ)(s + β w φ), which is below φ for every φ above h(1 + μ) s / (1 − h(1 + μ) β w).
     fn reach(&self, velocity: &DVector<f64>, h: f64) -> f64 {
         let (mut speeds, mut turns) = ([0.0; 2], [0.0; 2]);
-        for (k, body) in self.bodies.iter().enumerate() {
+        for (k, radius) in self.radii.iter().enumerate() {
             let turn = spin(k, velocity).norm();
-            largest(&mut speeds, velocity.fixed_rows::<3>(6 * k).norm() + turn * body.shape().radius() * (1.0 + PARALLEL_FACES));
+            largest(&mut speeds, velocity.fixed_rows::<3>(6 * k).norm() + turn * radius * (1.0 + PARALLEL_FACES));
             largest(&mut turns, turn);
         }
         let factor = h * (1.0 + self.materials.largest_friction());
@@ -342,11 +362,11 @@ impl Mechanism for SpatialBodies {
 
     fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
         let mut next = position.copied();
-        for (k, pose) in self.poses(position).enumerate() {
-            let centre = pose.centre + velocity.fixed_rows::<3>(6 * k) * h;
-            let turned = (pose.quaternion * UnitQuaternion::from_scaled_axis(spin(k, velocity) * h)).into_inner().normalize();
-            next.fixed_rows_mut::<3>(7 * k).copy_from(&centre);
-            next.fixed_rows_mut::<4>(7 * k + 3).copy_from_slice(&[turned.w, turned.i, turned.j, turned.k]);
+        for (k, next) in next.as_mut_slice().as_chunks_mut::<7>().0.iter_mut().enumerate() {
+            let (centre, quaternion) = Pose::placed(k, position);
+            let [x, y, z] = (centre + velocity.fixed_rows::<3>(6 * k) * h).into();
+            let turned = (quaternion * UnitQuaternion::from_scaled_axis(spin(k, velocity) * h)).into_inner().normalize();
+            *next = [x, y, z, turned.w, turned.i, turned.j, turned.k];
         }
         next
     }

@@ -55,17 +55,17 @@ impl SpatialBodies {
         };
         if let Some(ground) = &self.ground {
             let normal = Vector3::new(ground.normal[0], ground.normal[1], ground.normal[2]);
-            let lowest = |body: usize| normal.dot(&poses[body].centre) - ground.offset - self.bodies[body].shape().radius();
+            let lowest = |body: usize| normal.dot(&poses[body].centre) - ground.offset - self.radii[body];
             for (first, body) in self.free().filter(|(body, _)| lowest(*body) <= reach) {
                 ground_touches(body.shape(), &poses[first], ground, &mut touches.list);
                 keep(first, None, &mut touches.list);
             }
         }
-        let radius = |body: usize| self.bodies[body].shape().radius();
+        let radius = |body: usize| self.radii[body];
         self.neighbours.near(centres, radius, reach, |first, second| {
             let distance = (centres[first] - centres[second]).norm();
-            let moves = self.bodies[first].is_free() || self.bodies[second].is_free();
-            if moves && distance - radius(first) - radius(second) <= reach {
+            let moves = || self.bodies[first].is_free() || self.bodies[second].is_free();
+            if distance - radius(first) - radius(second) <= reach && moves() {
                 let (own, other) = (self.bodies[first].shape(), self.bodies[second].shape());
                 pair_touches(own, &poses[first], other, &poses[second], touches);
                 keep(first, Some(second), &mut touches.list);

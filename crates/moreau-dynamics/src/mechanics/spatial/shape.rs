@@ -171,9 +171,15 @@ pub(in crate::mechanics) struct Pose {
 impl Pose {
     /// The pose of body k in q = (x, y, z, w, i, j, k) per body.
     pub fn of(body: usize, position: &DVector<f64>) -> Self {
-        let part = position.rows(7 * body, 7);
-        let quaternion = UnitQuaternion::new_normalize(Quaternion::new(part[3], part[4], part[5], part[6]));
-        Pose { centre: Vector3::new(part[0], part[1], part[2]), quaternion, rotation: *quaternion.to_rotation_matrix().matrix() }
+        let (centre, quaternion) = Pose::placed(body, position);
+        Pose { centre, quaternion, rotation: *quaternion.to_rotation_matrix().matrix() }
+    }
+
+    /// Centre and orientation alone.
+    pub fn placed(body: usize, position: &DVector<f64>) -> (Vector3<f64>, UnitQuaternion<f64>) {
+        let part: &[f64; 7] = position.as_slice()[7 * body..].first_chunk().expect("seven numbers a body");
+        let [x, y, z, w, i, j, k] = *part;
+        (Vector3::new(x, y, z), UnitQuaternion::new_normalize(Quaternion::new(w, i, j, k)))
     }
 
     /// centre + R x.
