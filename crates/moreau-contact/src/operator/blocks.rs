@@ -97,7 +97,7 @@ impl BlockSparse {
                 let parts = dense.as_slice()[column * contacts * d..(column + 1) * contacts * d].chunks_exact(d);
                 is_kept.iter_mut().zip(parts).for_each(|(is_kept, part)| *is_kept |= part.iter().any(|entry| *entry != 0.0));
             }
-            made.append_column(|show| (0..contacts).filter(|j| is_kept[*j]).for_each(show));
+            made.append_column(|coupled| coupled.extend((0..contacts).filter(|j| is_kept[*j])));
             if 2 * made.coupled.len() > contacts * contacts {
                 return None;
             }
