@@ -66,8 +66,8 @@ fn a_contact_that_opens_anyway_may_be_moved_by_a_part_of_its_own_velocity() {
 
 #[test]
 fn a_pull_that_counts_as_none_holds_its_own_contact_no_less_than_others() {
-    // −4·10⁹ z ≥ 1 asks for z < 0, which is nothing beside the impulses of another row
-    let problem = ContactProblem::new(dmatrix![1.0, 0.0; 0.0, -4e20], dvector![-1.0, -1.0]).rows_per_contact(1).build().unwrap();
+    // 1 − 4·10²⁰ z ≥ 2 asks for z < 0, which is nothing beside the impulse of the row that it meets
+    let problem = ContactProblem::new(dmatrix![1.0, 0.0; 1.0, -4e20], dvector![-1.0, -2.0]).rows_per_contact(1).build().unwrap();
     assert!(!residuals(&problem, &by_hand(&problem, dvector![1.0, -0.25e-20])).unwrap().is_solution(0.1));
 }
 
