@@ -10,7 +10,8 @@
 //! as large as the slip speed, and they tell a wrong normal impulse from a wrong direction of friction. Polyhedral laws are judged by their
 //! pairs.
 //!
-//! An impulse that counts as none is held against what it moves at other contacts, too, where W may carry it far: see [`reach`](super::reach).
+//! An impulse that counts as none is held against what it moves at other contacts, too, where W may carry it far:
+//! see [`reach`](super::reach).
 //!
 //! The scale of a product is that of one member times the size of the other: an impulse that is larger than its scale times a velocity that
 //! is within its own says no more than this velocity. Where a contact slides, the scale of friction is μ s_r, for μ > 1 at most the larger

@@ -128,8 +128,8 @@ struct Members {
 }
 
 impl Members {
-    /// The pair's natural map; its negative members and its product join what `at` holds. `reach` tells how far z reaches where it counts as
-    /// none.
+    /// The pair's natural map; its negative members and its product join what `at` holds. `reach` tells how far z reaches where it counts
+    /// as none.
     fn judge(&self, Pair { z, w }: Pair, reach: impl FnOnce(f64) -> Part, at: &mut AtContact) -> Part {
         let velocity = Part { value: w.abs(), scale: self.velocity, floor: self.floor };
         let impulse = Part { value: z.abs(), scale: self.impulse, floor: 0.0 };

@@ -5,9 +5,9 @@
 //!     v_k        s_k/ρ_k, and at a contact without an impulse, which may move as it likes while it opens, w_k where it is larger  [m/s]
 //!     ‖d‖        is held against   ‖d‖ v_k/|(W d)_k| ,   the smallest over the rows k of the other contacts                  [N·s]
 //! ```
-//! Without d the answer is another one, and velocities differ by W d. Where every part that is taken away moves no row k by more than τ v_k,
-//! and every row whose impulse stays has a velocity within τ s_k/ρ_k, what is left solves *exactly* a problem whose given velocities differ
-//! by no more than the sum of these. An impulse that is small by its own size alone says nothing of the kind.
+//! Without d the answer is another one, and velocities differ by W d. Where every part that is taken away moves no row k by more than
+//! τ v_k, and every row whose impulse stays has a velocity within τ s_k/ρ_k, what is left solves *exactly* a problem whose given velocities
+//! differ by no more than the sum of these. An impulse that is small by its own size alone says nothing of the kind.
 //!
 //! Entries of a W of bodies, |W_ij|² ≤ W_ii W_jj, cannot carry a negligible impulse far, and it is not asked there: see
 //! [`ContactProblem::overreaches`]. A linear complementarity problem may have any matrix.

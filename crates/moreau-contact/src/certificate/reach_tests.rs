@@ -21,8 +21,8 @@ fn by_hand(problem: &ContactProblem, impulse: DVector<f64>) -> Solution {
     Solution::new("by hand", impulse, velocity, 0)
 }
 
-/// Two contacts of 1 kg in the plane, μ = ½: the first opens and slides at 1 m/s, the second closes at 1 m/s. What row `row` of the first carries moves
-/// the second along its normal `times` as fast.
+/// Two contacts of 1 kg in the plane, μ = ½: the first opens and slides at 1 m/s, the second closes at 1 m/s. What row `row` of the first
+/// carries moves the second along its normal `times` as fast.
 fn carried(law: Law, row: usize, times: f64) -> ContactProblem {
     let mut w = DMatrix::identity(4, 4);
     w[(2, row)] = times;
@@ -115,8 +115,8 @@ fn change(lcp: &Lcp<f64>, z: &DVector<f64>) -> f64 {
     (0..1 << size).filter(is_pushing).map(of).fold(f64::INFINITY, f64::min)
 }
 
-/// Of n rows each part that is taken away changes a row by at most τ of its scale, and so does a velocity that is not quite zero; a scale is
-/// a sum of at most n + 1 terms. Pivoting proposes, and what it leaves at zero is made small instead.
+/// Of n rows each part that is taken away changes a row by at most τ of its scale, and so does a velocity that is not quite zero; a scale
+/// is a sum of at most n + 1 terms. Pivoting proposes, and what it leaves at zero is made small instead.
 #[test]
 fn an_accepted_answer_solves_a_problem_near_whatever_the_entries_are() {
     let (mut draw, mut accepted) = (Draw(7), 0);
