@@ -172,17 +172,16 @@ impl Residuals {
 
     /// The first of the norms that must be numbers and is none, by its name: an answer with one is no solution, whatever its residuals are.
     /// ```
-    /// use moreau_contact::nalgebra::{DMatrix, dvector};
+    /// use moreau_contact::nalgebra::{DMatrix, DVector};
     /// use moreau_contact::prelude::*;
     ///
-    /// let of = |fast: f64, contacts: usize| {
-    ///     let free = moreau_contact::nalgebra::DVector::from_element(contacts, fast);
-    ///     let open = ContactProblem::new(DMatrix::identity(contacts, contacts), free).rows_per_contact(1).build()?;
-    ///     let nothing = moreau_contact::nalgebra::DVector::zeros(contacts);
-    ///     residuals(&open, &Solution::new("by hand", nothing.clone(), open.velocity(&nothing), 0))
+    /// let open = |fast: f64| {
+    ///     let problem = ContactProblem::new(DMatrix::identity(2, 2), DVector::from_element(2, fast)).rows_per_contact(1).build()?;
+    ///     let nothing = DVector::zeros(2);
+    ///     residuals(&problem, &Solution::new("by hand", nothing.clone(), problem.velocity(&nothing), 0))
     /// };
-    /// assert!(of(1e200, 2)?.is_solution(1e-8)); // the squares are no numbers, the norm is one
-    /// assert_eq!(of(1.5e308, 2)?.no_number(), Some("velocity_scale"));
+    /// assert!(open(1e200)?.is_solution(1e-8)); // the squares are no numbers, the norm is one
+    /// assert_eq!(open(1.5e308)?.no_number(), Some("velocity_scale"));
     /// # Ok::<(), moreau_contact::Error>(())
     /// ```
     pub fn no_number(&self) -> Option<&'static str> {
