@@ -39,8 +39,8 @@ pub const COUPLED: f64 = 1.0 / 67_108_864.0;
 /// Required: of every answer that is accepted, by the users of `moreau certify`.
 pub const CERTIFY: f64 = 1e-8;
 
-/// 4 = 2². An entry of W that is larger than this, relative to √(W_ii W_jj), is none of bodies, for which 1 is the most: rounding and the
-/// asymmetry of spinning bodies stay far below it. It decides only whether an impulse that is small at its own contact is asked what it
-/// moves elsewhere; what it may move does not depend on it.
-/// Set.
+/// 4. An entry of W that is larger than this, relative to √(W_ii W_jj), is none of bodies, for which 1 is the most: rounding and the asymmetry
+/// of spinning bodies stay far below it. It decides only whether an impulse that is small at its own contact is asked what it moves
+/// elsewhere; what it may move does not depend on it.
+/// Required: of every stored W of bodies, that nothing more is asked of its answers, by the users of the certificate.
 pub const OVERREACHING: f64 = 4.0;
