@@ -59,6 +59,9 @@ pub struct Certificate<'a> {
     /// Why the problem has no solution, where that is proved; it rejects the answer whatever its residuals are.
     #[serde(skip_serializing_if = "Option::is_none")]
     no_solution: Option<String>,
+    /// The norm that is too large for a number and rejects the answer, whatever its residuals are; absent where all are numbers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    no_number: Option<&'static str>,
     /// Whether the same command finds this answer again; absent where nobody knows how it was made.
     #[serde(skip_serializing_if = "Option::is_none")]
     reproducible: Option<bool>,
@@ -142,7 +145,7 @@ impl<'a> Certificate<'a> {
         residuals: JointedResiduals,
         tolerance: f64,
     ) -> Self {
-        let solution_found = residuals.is_solution(tolerance);
+        let (solution_found, no_number) = (residuals.is_solution(tolerance), residuals.contacts.no_number());
         Certificate {
             status: if solution_found { "solved" } else { "rejected" },
             problem,
@@ -160,6 +163,7 @@ impl<'a> Certificate<'a> {
             forward: None,
             solutions: None,
             no_solution: None,
+            no_number,
             reproducible: None,
             not_least_norm: None,
             history: None,
@@ -289,7 +293,11 @@ impl<'a> Certificate<'a> {
         }
         line("norms over all contacts, shown for comparison only:".into());
         for (name, value, unit) in self.residuals.contacts.norms() {
-            line(format!("  {name:18} {}", with_unit(&significant(value), self.unit(unit))));
+            let mark = if self.no_number == Some(name) { '✗' } else { ' ' };
+            line(format!("{mark} {name:18} {}", with_unit(&significant(value), self.unit(unit))));
+        }
+        if let Some(name) = self.no_number {
+            line(format!("{name} is no number, so that nothing is shown: give the problem and its answer in other units"));
         }
         if let Some(proof) = &self.backward {
             let [velocity, impulse] =
@@ -341,7 +349,7 @@ mod tests {
     use super::*;
     use crate::certificate::residuals;
     use crate::problem::Law;
-    use nalgebra::{dmatrix, dvector};
+    use nalgebra::{DMatrix, dmatrix, dvector};
 
     /// A mass of 1 kg that arrives at 1 m/s; the impulse 1 N·s stops it.
     fn certificate(impulse: f64) -> (String, bool) {
@@ -360,6 +368,21 @@ mod tests {
         let (text, accepted) = certificate(1.0);
         assert!(accepted && text.ends_with("\na solution to the relative tolerance 0.25\n"), "{text}");
         assert!(text.contains("primal             0 N·s") && text.contains("complementarity    0 J"), "{text}");
+    }
+
+    #[test]
+    fn a_norm_that_is_no_number_is_named_where_it_refuses_the_answer() {
+        let of = |fast: f64| {
+            let problem = ContactProblem::new(DMatrix::identity(2, 2), dvector![fast, fast]).law(Law::Frictionless).rows_per_contact(1);
+            let (problem, solution) = (problem.build().unwrap(), Solution::new("", dvector![0.0, 0.0], dvector![fast, fast], 0));
+            Certificate::new(&problem, &solution, &residuals(&problem, &solution).expect("sizes fit"), 1e-8).text()
+        };
+        assert!(of(1e200).ends_with("\na solution to the relative tolerance 1e-8\n"), "{}", of(1e200));
+        let text = of(1.5e308);
+        assert!(
+            text.contains("✗ velocity_scale") && text.contains("velocity_scale is no number") && text.contains("NOT a solution"),
+            "{text}"
+        );
     }
 
     #[test]

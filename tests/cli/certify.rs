@@ -374,13 +374,31 @@ fn an_answer_too_large_for_proofs_is_none_with_proofs_as_without() {
 
 /// z₀ is nothing by its own size and carries row 1: no W of bodies has such entries (docs/decisions.md).
 #[test]
-fn what_no_row_shows_of_a_matrix_of_no_bodies_is_refused_by_the_proof() {
+fn an_impulse_that_is_nothing_by_its_size_and_carries_another_row_is_refused_at_its_own() {
     let folder = Folder::new("certify-no-bodies");
     let rows = "[[0, 0, 0], [1e20, 0, 0], [1, 0, 1]]";
     let lcp = format!(r#"{{"schema": "lcp/1", "matrix": {{"shape": [3, 3], "rows": {rows}}}, "vector": [1, -1, -1]}}"#);
     let problem = folder.file("lcp.json", &lcp);
     let answer = folder.file("answer.json", r#"{"schema": "solution/1", "impulse": [1e-20, 0, 1]}"#);
-    assert_eq!(moreau(&["certify", &problem, &answer]).code, 0);
+    let run = moreau(&["certify", &problem, &answer]);
+    let marked = |line: &&str| line.starts_with('✗');
+    let marked: Vec<&str> = run.output.lines().filter(marked).collect();
+    assert!(run.code == 1 && matches!(marked[..], [line] if line.starts_with("✗ normal") && line.ends_with(" 0")), "{}", run.output);
     let run = moreau(&["certify", &problem, &answer, "--prove"]);
     assert!(run.code == 1 && run.output.contains("NO solution"), "{}", run.output);
+}
+
+#[test]
+fn a_norm_that_is_no_number_is_told_where_it_refuses_an_answer() {
+    let folder = Folder::new("certify-no-number");
+    let answer = folder.file("answer.json", r#"{"schema": "solution/1", "impulse": [0, 0]}"#);
+    let of = |fast: &str| {
+        let rows = r#"{"shape": [2, 2], "rows": [[1, 0], [0, 1]]}"#;
+        folder.file("lcp.json", &format!(r#"{{"schema": "lcp/1", "matrix": {rows}, "vector": [{fast}, {fast}]}}"#))
+    };
+    assert_eq!(moreau(&["certify", &of("1e200"), &answer]).code, 0);
+    let run = moreau(&["certify", &of("1.5e308"), &answer]);
+    assert!(run.code == 1 && run.output.contains("velocity_scale is no number"), "{}", run.output);
+    let run = moreau(&["certify", &of("1.5e308"), &answer, "--format", "json"]);
+    assert!(run.code == 1 && run.json()["no_number"] == "velocity_scale", "{}", run.output);
 }

@@ -1,6 +1,7 @@
 //! One contact at an answer, and its residuals.
 
 use super::part::Part;
+use super::reach::Reach;
 use super::scales::{at_least, at_most};
 pub(super) use moreau_exact::number::larger as worst;
 
@@ -33,9 +34,17 @@ pub(super) struct Here<'a> {
     pub most: [f64; 2],
     /// Rounding of y_n and of y_t \[m/s\].
     pub floors: [f64; 2],
+    /// How far its impulses reach; nothing where that is not asked.
+    pub reach: Option<&'a Reach<'a>>,
 }
 
 impl Here<'_> {
+    /// A part (n, t₁, t₂) of the impulse that counts as none, by what it moves at other contacts; all of it, `is_whole`, or a part beside
+    /// which the contact stays closed. \[N·s\]
+    pub fn reach(&self, taken: impl FnOnce() -> [f64; 3], is_whole: bool) -> Part {
+        self.reach.map_or_else(Part::default, |reach| reach.of(self.contact, &taken()[..self.r.len()], is_whole))
+    }
+
     /// The scale of a friction impulse where the contact slides: μ s_r, or s_r if μ is zero; where μ > 1 not more than the larger of s_r
     /// and s_t. For then friction is a size of its own: at μ = 10⁸ it may be all that holds the contact, while r_n is 10⁻⁸ of it.
     pub fn friction_scale(&self, mu: f64) -> f64 {

@@ -10,6 +10,9 @@
 //! as large as the slip speed, and they tell a wrong normal impulse from a wrong direction of friction. Polyhedral laws are judged by their
 //! pairs.
 //!
+//! An impulse that counts as none is held against what it moves at other contacts, too, where W may carry it far:
+//! see [`reach`](super::reach).
+//!
 //! The scale of a product is that of one member times the size of the other: an impulse that is larger than its scale times a velocity that
 //! is within its own says no more than this velocity. Where a contact slides, the scale of friction is μ s_r, for μ > 1 at most the larger
 //! of s_r and s_t. The rounding of its velocity counts as an angle, relative to the slip.
@@ -18,6 +21,7 @@ use super::at_contact::{AtContact, Here};
 use super::judged::Judged;
 use super::part::{Part, pair};
 use super::polyhedral::{self, Pairs};
+use super::reach::Reach;
 use super::remembered;
 use super::scales::{self, Held, Scales, Unheld, at_least};
 use crate::cones::second_order::{distance_of, length, tangential_norm};
@@ -175,6 +179,7 @@ impl Judge {
         let (law, impulse) = (problem.law(), solution.impulse.as_slice());
         self.scales.set_sizes(problem, impulse, law_velocity);
         let mut judged = Judged { loaded: self.scales.loaded(impulse), ..Default::default() };
+        let reach = Reach::new(problem, &self.scales, [impulse, law_velocity]);
         let [impulses, velocities, floors] = [impulse, law_velocity, &self.scales.floors[..]].map(|numbers| numbers.as_chunks::<ROWS>().0);
         let answer = impulses.iter().zip(velocities).zip(floors).zip(problem.friction());
         // nearly all contacts have one μ
@@ -188,7 +193,8 @@ impl Judge {
             if cone.0 != *friction {
                 cone = (*friction, 1.0 / length(law.cone_friction(*friction), 1.0));
             }
-            let here = Here { contact: k, friction: *friction, steepness: cone.1, r, y, weights, sizes, impulse, floors, most };
+            let (contact, friction, steepness) = (k, *friction, cone.1);
+            let here = Here { contact, friction, steepness, r, y, weights, sizes, impulse, floors, most, reach: reach.as_ref() };
             let at = match law {
                 Law::PolyhedralCoulomb { directions } => polyhedral::stewart_trinkle(&mut self.pairs, solution, directions, &here),
                 Law::PolyhedralAssociated { directions } => polyhedral::edges(&mut self.pairs, problem, solution, directions, &here)?,
@@ -238,11 +244,13 @@ fn second_order<const ROWS: usize>(law: Law, [r, y]: [&[f64; ROWS]; 2], here: &H
     let penetrating = Part { value: at_least(0.0, -w), ..velocity };
     let pressing = (s_n * w.abs()).max(s_n.max(r[0].abs()) * s_n / rho);
     let product = Part { value: (r[0] * w).abs(), scale: pressing, floor: r[0].abs() * floor };
+    let opens = r[0] < 0.0 || w > floor;
+    let reach = if opens { here.reach(|| in_space(r), true) } else { Part::default() };
     AtContact {
         primal: outside,
         dual: nan_kept(penetrating, w).times(here.steepness),
         complementarity: product.worse(if law == Law::Frictionless { Part::default() } else { rounded }),
-        normal: pair([r[0], w], Part { value: r[0].abs(), scale: s_i, floor: rounding }, velocity.times(rho)),
+        normal: pair([r[0], w], Part { value: r[0].abs(), scale: s_i, floor: rounding }.worse(reach), velocity.times(rho)),
         tangential: friction(mu, [r, y], here),
     }
 }
@@ -263,11 +271,27 @@ fn friction<const ROWS: usize>(mu: f64, [r, y]: [&[f64; ROWS]; 2], here: &Here) 
     let left = |factor: f64, k: usize| r.get(k + 1).map_or(0.0, |r| r - factor * z[k]);
     let off = |factor: f64| length(left(factor, 0), left(factor, 1));
     if reach <= radius && mu > 0.0 {
-        return Part { value: off(1.0), scale: here.sizes[2], floor };
+        return Part { value: off(1.0), scale: here.sizes[2], floor }.worse(outside(radius, r, here));
     }
     let angle = if radius > 0.0 { (2.0 * radius / reach).min(1.0) } else { 0.0 };
-    let scale = here.friction_scale(mu);
-    Part { value: off(if radius > 0.0 { radius / reach } else { 0.0 }), scale, floor: floor * angle + PROJECTED * radius }
+    let (scale, factor) = (here.friction_scale(mu), if radius > 0.0 { radius / reach } else { 0.0 });
+    let part = Part { value: off(factor), scale, floor: floor * angle + PROJECTED * radius };
+    // where only rounding tells the direction of the slip, friction along it is none that is missing
+    let is_told = part.value > part.floor;
+    part.worse(if is_told { here.reach(|| [0.0, left(factor, 0), left(factor, 1)], false) } else { outside(radius, r, here) })
+}
+
+/// How far that reaches what is outside of the disk of this radius.
+fn outside<const ROWS: usize>(radius: f64, r: &[f64; ROWS], here: &Here) -> Part {
+    let pushed = if here.reach.is_some() { tangential_norm(r) } else { 0.0 };
+    let beyond = if pushed > radius { (pushed - radius) / pushed } else { 0.0 };
+    let [_, first, second] = in_space(r);
+    if beyond > 0.0 { here.reach(|| [0.0, beyond * first, beyond * second], false) } else { Part::default() }
+}
+
+/// (n, t₁, t₂), zero where a contact has no such row.
+fn in_space<const ROWS: usize>(r: &[f64; ROWS]) -> [f64; 3] {
+    std::array::from_fn(|row| r.get(row).copied().unwrap_or(0.0))
 }
 
 /// The sizes of an answer against those of its problem.

@@ -44,6 +44,7 @@ mod polyhedral_pair;
 pub mod polyhedral_proof;
 pub mod polyhedral_solutions;
 mod rank;
+mod reach;
 mod remembered;
 pub mod residuals;
 #[cfg(feature = "files")]

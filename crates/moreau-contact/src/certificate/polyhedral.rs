@@ -28,12 +28,14 @@ struct Pair {
     w: f64,
 }
 
-/// The pairs of one contact, and how far its impulse is from what its parts add up to: [of the normal, of the tangents] \[N·s\].
+/// The pairs of one contact, and how far its impulse is from what its parts add up to: [of the normal, of the tangents], and the
+/// difference itself \[N·s\].
 #[derive(Clone, Debug, Default)]
 pub(super) struct Pairs {
     pairs: Vec<Pair>,
     parts: Vec<f64>,
     mismatch: [f64; 2],
+    rest: [f64; 3],
 }
 
 /// The residuals of Stewart–Trinkle's law at one contact.
@@ -44,16 +46,20 @@ pub(super) fn stewart_trinkle(pairs: &mut Pairs, solution: &Solution, d: usize, 
     let sticks = left >= rho_t * sigma;
     let mut at = AtContact::default();
     let normal = Members { impulse: here.impulse[0].max(here.impulse[1]), velocity: s_n / rho_n, floor: here.floors[0], rho: rho_n };
-    at.normal = normal.judge(pairs.pairs[0], &mut at);
+    at.normal = normal.judge(pairs.pairs[0], |_| here.reach(|| in_space(here.r), true), &mut at);
     let velocity = if sticks { s_t } else { friction } / rho_t;
     let tangential = Members { impulse: friction, velocity, floor: here.floors[1], rho: rho_t };
-    for one in &pairs.pairs[1..] {
-        let part = tangential.judge(*one, &mut at);
+    for (j, one) in pairs.pairs[1..].iter().enumerate() {
+        let along = |z: f64| {
+            let [first, second] = if j < d { direction(j, d) } else { rubbed(here) };
+            [0.0, z * first, z * second]
+        };
+        let part = tangential.judge(*one, |z| here.reach(|| along(z), false), &mut at);
         at.tangential = at.tangential.worse(part);
     }
     let parts =
         Part { value: pairs.mismatch[1], scale: if sticks { s_t } else { friction }, floor: rounding_of_parts(d, s_r * here.friction) };
-    at.tangential = at.tangential.worse(parts);
+    at.tangential = at.tangential.worse(parts).worse(pairs.missing(here));
     at.primal = at.primal.worse(parts);
     at
 }
@@ -71,16 +77,37 @@ pub(super) fn edges(pairs: &mut Pairs, problem: &ContactProblem, solution: &Solu
     let along = if here.friction > 0.0 { here.most[1] / here.friction } else { f64::INFINITY };
     let members = Members { impulse: scale.min(here.most[0]).min(along), velocity: scale / rho, floor, rho };
     let mut at = AtContact::default();
-    for one in &pairs.pairs {
-        let part = members.judge(*one, &mut at);
+    for (j, one) in pairs.pairs.iter().enumerate() {
+        let along = |z: f64| {
+            let [first, second] = direction(j, d).map(|part| here.friction * part);
+            [z, z * first, z * second]
+        };
+        let part = members.judge(*one, |z| here.reach(|| along(z), true), &mut at);
         at.normal = at.normal.worse(part);
     }
     let parts = |value: f64, scale: f64| Part { value, scale, floor: rounding_of_parts(d, scale) };
     let tangential = here.friction_scale(here.friction);
     at.primal = at.primal.worse(parts(pairs.mismatch[0], s_n)).worse(parts(pairs.mismatch[1], tangential));
     at.normal = at.normal.worse(parts(pairs.mismatch[0], s_n));
-    at.tangential = parts(pairs.mismatch[1], tangential);
+    at.tangential = parts(pairs.mismatch[1], tangential).worse(pairs.missing(here));
     Ok(at)
+}
+
+/// The unit vector of the friction at a contact, or against its slip where there is none.
+fn rubbed(here: &Here) -> [f64; 2] {
+    let ([first, second], [along, across]) = (tangent(here.r), tangent(here.y));
+    let [size, slip] = [length(first, second), length(along, across)];
+    match (size > 0.0, slip > 0.0) {
+        (true, _) => [first / size, second / size],
+        (false, true) => [-along / slip, -across / slip],
+        _ => [0.0; 2],
+    }
+}
+
+/// (n, t₁, t₂), zero where a contact has no such row.
+fn in_space(r: &[f64]) -> [f64; 3] {
+    let [first, second] = tangent(r);
+    [r[0], first, second]
 }
 
 /// The rounding of a sum of d parts of at most `size`.
@@ -101,8 +128,9 @@ struct Members {
 }
 
 impl Members {
-    /// The pair's natural map; its negative members and its product join what `at` holds.
-    fn judge(&self, Pair { z, w }: Pair, at: &mut AtContact) -> Part {
+    /// The pair's natural map; its negative members and its product join what `at` holds. `reach` tells how far z reaches where it counts
+    /// as none.
+    fn judge(&self, Pair { z, w }: Pair, reach: impl FnOnce(f64) -> Part, at: &mut AtContact) -> Part {
         let velocity = Part { value: w.abs(), scale: self.velocity, floor: self.floor };
         let impulse = Part { value: z.abs(), scale: self.impulse, floor: 0.0 };
         let negative = |x: f64, part: Part| if x >= 0.0 { Part { value: 0.0, ..part } } else { part };
@@ -111,7 +139,8 @@ impl Members {
         let size = (self.impulse * w.abs()).max(self.impulse.max(z.abs()) * self.velocity);
         let product = Part { value: (z * w).abs(), scale: size, floor: z.abs() * self.floor };
         at.complementarity = at.complementarity.worse(product);
-        pair([z, w], impulse, velocity.times(self.rho))
+        let opens = z < 0.0 || w > self.floor;
+        pair([z, w], if opens { impulse.worse(reach(z)) } else { impulse }, velocity.times(self.rho))
     }
 }
 
@@ -132,7 +161,7 @@ impl Pairs {
         self.pairs.push(Pair { z: r[0], w: y[0] });
         self.pairs.extend(self.parts.iter().enumerate().map(|(j, &z)| Pair { z, w: against(j) + sigma }));
         self.pairs.push(Pair { z: left, w: sigma });
-        self.mismatch = [0.0, mismatch(tangent(r), &self.parts, 1.0)];
+        self.set_rest([0.0, 0.0], tangent(r), 1.0);
     }
 
     /// Each edge impulse fⱼ with y_n + μ Dⱼ·y_t + Rⱼ fⱼ.
@@ -157,8 +186,23 @@ impl Pairs {
         let w = |j: usize, z: f64| y[0] + mu * dot(direction(j, d), tangent(y)) + softness.map_or(0.0, |softness| softness[j] * z);
         self.pairs.clear();
         self.pairs.extend(self.parts.iter().enumerate().map(|(j, &z)| Pair { z, w: w(j, z) }));
-        self.mismatch = [(r[0] - self.parts.iter().sum::<f64>()).abs(), mismatch(tangent(r), &self.parts, mu)];
+        self.set_rest([r[0], self.parts.iter().sum::<f64>()], tangent(r), mu);
         Ok(())
+    }
+
+    /// What the impulse has beside its parts: r_n − Σ f of the normal, r_t − scale Σ Dⱼβⱼ of the tangents.
+    fn set_rest(&mut self, [normal, sum]: [f64; 2], tangent: [f64; 2], scale: f64) {
+        let [first, second] = difference(tangent, &self.parts, scale);
+        self.rest = [normal - sum, first, second];
+        self.mismatch = [self.rest[0].abs(), length(first, second)];
+    }
+
+    /// How far that reaches, where it is more than rounding.
+    fn missing(&self, here: &Here) -> Part {
+        let d = self.parts.len();
+        let rounded = rounding_of_parts(d, worst(here.r[0].abs(), length(tangent(here.r)[0], tangent(here.r)[1])));
+        let is_told = worst(self.mismatch[0], self.mismatch[1]) > rounded;
+        if is_told { here.reach(|| self.rest, false) } else { Part::default() }
     }
 
     /// ‖(min(z, ρw), mismatch)‖ over the pairs \[N·s\].
@@ -173,14 +217,14 @@ fn smaller(z: f64, w: f64) -> f64 {
     -worst(-z, -w)
 }
 
-/// ‖r_t − scale Σ Dⱼβⱼ‖.
-fn mismatch(r: [f64; 2], beta: &[f64], scale: f64) -> f64 {
+/// r_t − scale Σ Dⱼβⱼ.
+fn difference(r: [f64; 2], beta: &[f64], scale: f64) -> [f64; 2] {
     let d = beta.len();
     let sum = beta.iter().enumerate().fold([0.0, 0.0], |sum, (j, b)| {
         let [first, second] = direction(j, d);
         [sum[0] + first * b, sum[1] + second * b]
     });
-    length(r[0] - scale * sum[0], r[1] - scale * sum[1])
+    [r[0] - scale * sum[0], r[1] - scale * sum[1]]
 }
 
 fn tangent(z: &[f64]) -> [f64; 2] {

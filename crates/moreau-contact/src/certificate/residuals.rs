@@ -92,11 +92,18 @@ pub(super) fn of_held(problem: &ContactProblem, solution: &Solution, unheld: Unh
         complementarity: judged.complementarity.largest,
         velocity: judged.velocity.largest,
         natural_map: map.own_mass,
-        one_kilogram: OneKilogram::new(map.one_kilogram, [data.norm(), impulse.norm(), velocity.norm()]),
-        impulse_scale: impulse.norm(),
-        velocity_scale: data.norm(),
-        natural_map_scale: worst(impulse.norm(), map.data),
+        one_kilogram: OneKilogram::new(map.one_kilogram, [&data, impulse, &velocity].map(|vector| norm(vector.as_slice()))),
+        impulse_scale: norm(impulse.as_slice()),
+        velocity_scale: norm(data.as_slice()),
+        natural_map_scale: worst(norm(impulse.as_slice()), map.data),
     })
+}
+
+/// √Σ x², in units of the largest number where the squares are none any more; NaN if a number is.
+fn norm(numbers: &[f64]) -> f64 {
+    let of = |unit: f64| numbers.iter().map(|x| (x / unit) * (x / unit)).sum::<f64>().sqrt();
+    let (plain, largest) = (of(1.0), numbers.iter().fold(0.0, |largest, x| worst(largest, x.abs())));
+    if plain.is_infinite() && largest.is_finite() { largest * of(largest) } else { plain }
 }
 
 /// Norms over all contacts \[N·s\].
@@ -113,7 +120,7 @@ impl NaturalMap {
     fn new(problem: &ContactProblem, solution: &Solution) -> Result<Self> {
         let rows = problem.rows_per_contact();
         let law_velocity = problem.law_velocity(&solution.impulse);
-        let (mut pairs, mut squares) = (Pairs::default(), [0.0; 3]);
+        let (mut pairs, mut maps) = (Pairs::default(), [const { Vec::new() }; 3]);
         for (contact, &rho) in natural_map::scales(problem).iter().enumerate() {
             let range = contact * rows..(contact + 1) * rows;
             let (r, y) = (&solution.impulse.as_slice()[range.clone()], &law_velocity.as_slice()[range.clone()]);
@@ -129,13 +136,14 @@ impl NaturalMap {
                 None => natural_map::natural_map(problem.law(), friction, r, y, rho),
             };
             let own = map(rho);
-            squares[0] += own * own;
-            squares[1] += map(1.0).powi(2);
+            maps[0].push(own);
+            maps[1].push(map(1.0));
             if own != 0.0 || r.iter().any(|&r| r != 0.0) {
-                squares[2] += range.map(|row| (rho * (problem.free_velocity()[row] + problem.shift()[row])).powi(2)).sum::<f64>();
+                let moved: Vec<f64> = range.map(|row| rho * (problem.free_velocity()[row] + problem.shift()[row])).collect();
+                maps[2].push(norm(&moved));
             }
         }
-        let [own_mass, one_kilogram, data] = squares.map(f64::sqrt);
+        let [own_mass, one_kilogram, data] = maps.map(|numbers| norm(&numbers));
         Ok(NaturalMap { own_mass, one_kilogram, data })
     }
 }
@@ -155,10 +163,29 @@ pub fn momentum(
 
 impl Residuals {
     /// Whether every residual is at most max(`tolerance` · scale, rounding) at every contact. NaN is never a solution, and neither is an
-    /// answer whose norms overflow: infinity is at most infinity, which shows nothing.
+    /// answer whose norms are too large for a number: infinity is at most infinity, which shows nothing.
     pub fn is_solution(&self, tolerance: f64) -> bool {
-        let finite = [self.natural_map, self.impulse_scale, self.velocity_scale, self.natural_map_scale].into_iter().all(f64::is_finite);
-        finite && self.judged.accepts(tolerance)
+        self.no_number().is_none() && self.judged.accepts(tolerance)
+    }
+
+    /// The first of the norms that must be numbers and is none, by its name: an answer with one is no solution, whatever its residuals are.
+    /// ```
+    /// use moreau_contact::nalgebra::{DMatrix, DVector};
+    /// use moreau_contact::prelude::*;
+    ///
+    /// let open = |fast: f64| {
+    ///     let problem = ContactProblem::new(DMatrix::identity(2, 2), DVector::from_element(2, fast)).rows_per_contact(1).build()?;
+    ///     let nothing = DVector::zeros(2);
+    ///     residuals(&problem, &Solution::new("by hand", nothing.clone(), problem.velocity(&nothing), 0))
+    /// };
+    /// assert!(open(1e200)?.is_solution(1e-8)); // the squares are no numbers, the norm is one
+    /// assert_eq!(open(1.5e308)?.no_number(), Some("velocity_scale"));
+    /// # Ok::<(), moreau_contact::Error>(())
+    /// ```
+    pub fn no_number(&self) -> Option<&'static str> {
+        let deciding = ["natural_map", "impulse_scale", "velocity_scale", "natural_map_scale"];
+        let none = |(name, value, _): &(&'static str, f64, &str)| !value.is_finite() && deciding.contains(name);
+        self.norms().into_iter().find(none).map(|(name, ..)| name)
     }
 
     /// What is shown for comparison and decides nothing: name, value and unit.

@@ -202,11 +202,15 @@ fn nan_is_passed_on_by_every_law() {
 
 #[test]
 fn an_answer_whose_residuals_overflow_is_no_solution() {
-    let problem = planar(Law::Coulomb, &[-1e308, 1e308]);
+    let problem = planar(Law::Coulomb, &[-1.5e308, 1.5e308]);
     // twice the friction the cone allows, but both scales are infinite, and everything is at most infinity
-    let found = judged(&problem, &[1e308, -1e308]);
+    let found = judged(&problem, &[1.5e308, -1.5e308]);
     assert!(found.impulse_scale.is_infinite() && found.velocity_scale.is_infinite());
-    assert!(!found.is_solution(1e-8));
+    assert!(!found.is_solution(1e-8) && found.no_number().is_some());
+    // contacts that open as fast have a solution, in units in which the norm is a number although no square is one
+    let open = |fast: f64| judged(&planar(Law::Coulomb, &[fast, 0.0, fast, 0.0]), &[0.0; 4]);
+    assert!(open(1e200).is_solution(0.0) && open(1e308).is_solution(0.0));
+    assert!(!open(1.5e308).is_solution(1.0) && open(1.5e308).no_number() == Some("velocity_scale"));
     // the same motion in units in which the squares are numbers is refused for its own sake, and its solution accepted
     let problem = planar(Law::Coulomb, &[-1e100, 1e100]);
     assert!(!judged(&problem, &[1e100, -1e100]).is_solution(1e-8));

@@ -243,9 +243,14 @@ impl Scales {
         Held { weights, sizes, most, impulse, floors: floors.map(|floor| at_most(hidden, floor)), uncertain }
     }
 
+    /// What rounding may hide at a contact \[m/s\].
+    pub fn hidden(&self, contact: usize) -> f64 {
+        self.largest[self.contacts[contact].island].hidden()
+    }
+
     /// Whether the rounding of y at the rows of a contact, which have these floors, is within what it may hide.
     pub fn is_certain(&self, contact: usize, floors: &[f64]) -> bool {
-        let most = self.largest[self.contacts[contact].island].hidden();
+        let most = self.hidden(contact);
         floors.iter().all(|floor| floor.is_finite() && *floor <= 0.5 * most)
     }
 

@@ -5,6 +5,7 @@
 //! ```
 
 use crate::memory::spare;
+use crate::tolerance::certificate::OVERREACHING;
 use nalgebra::{DMatrix, DVector, DVectorView, DVectorViewMut};
 use std::sync::OnceLock;
 
@@ -267,6 +268,24 @@ impl Operator {
             Operator::Bodies(bodies) => bodies.formed().expect("the blocks of W fit into memory where its square matrix does"),
         };
         stored.dense.get_or_init(|| stored.blocks.to_dense())
+    }
+
+    /// Whether some entry is larger than those of H M⁻¹ Hᵀ are, |W_ij|² ≤ W_ii W_jj, by more than their rounding.
+    pub(crate) fn overreaches(&self, rows_per_contact: usize) -> bool {
+        if let Operator::Bodies(_) = self {
+            return false;
+        }
+        let mut block = vec![0.0; rows_per_contact * rows_per_contact];
+        let mut diagonal = Vec::with_capacity(self.shape()[0]);
+        for k in 0..self.shape()[0] / rows_per_contact.max(1) {
+            self.of_contacts().diagonal_block(k, &mut block);
+            diagonal.extend(block.iter().step_by(rows_per_contact + 1).map(|w| w.max(0.0).sqrt()));
+        }
+        (0..diagonal.len()).any(|j| {
+            let mut found = false;
+            self.for_each_in_column(j, |i, w| found |= w.abs() > OVERREACHING * diagonal[i] * diagonal[j]);
+            found
+        })
     }
 
     /// max |W − Wᵀ| / max |W|, zero where it is symmetric.

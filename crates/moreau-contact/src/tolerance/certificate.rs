@@ -38,3 +38,9 @@ pub const COUPLED: f64 = 1.0 / 67_108_864.0;
 /// energy cannot tell from zero; 1e-8 is the next power of ten below it.
 /// Required: of every answer that is accepted, by the users of `moreau certify`.
 pub const CERTIFY: f64 = 1e-8;
+
+/// Four times. An entry of W that is larger than this, relative to √(W_ii W_jj), is none of bodies, whose most is 1: rounding and asymmetry
+/// of spinning bodies stay far below it. It decides only whether an impulse that is small at its own contact is asked what it moves
+/// elsewhere; what it may move does not depend on it.
+/// Required: of every stored W of bodies, that nothing more is asked of its answers, by the users of the certificate.
+pub const OVERREACHING: f64 = 4.0;

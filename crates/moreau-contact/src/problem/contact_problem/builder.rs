@@ -28,6 +28,8 @@ pub struct ContactProblemBuilder {
     dynamics: Option<Known>,
     bodies: Option<Vec<[Option<usize>; 2]>>,
     keys: Option<Vec<ContactKey>>,
+    /// Whether it is known that no entry of W is larger than one of bodies.
+    is_within: bool,
 }
 
 impl ContactProblem {
@@ -73,7 +75,7 @@ impl ContactProblem {
     pub fn from_dynamics(mass: DMatrix<f64>, jacobian: DMatrix<f64>, free_motion: &DVector<f64>) -> ContactProblemBuilder {
         let free_velocity = fitting(jacobian.ncols(), free_motion).map(|motion| &jacobian * motion);
         let delassus = delassus(&mass, &jacobian).map(Operator::from);
-        ContactProblemBuilder::of(delassus, free_velocity, Some(Known::Dense(Dynamics { mass, jacobian })))
+        ContactProblemBuilder::of(delassus, free_velocity, Some(Known::Dense(Dynamics { mass, jacobian }))).within(true)
     }
 
     /// Does what [`ContactProblem::from_dynamics`] does, from a mass matrix that is factored already and rows that are kept body by body: W
@@ -90,7 +92,7 @@ impl ContactProblem {
 
     fn from_inertia_at(inertia: &Arc<Inertia>, jacobian: &Arc<Jacobian>, free_velocity: Result<DVector<f64>>) -> ContactProblemBuilder {
         let known = Known::sparse(inertia.clone(), jacobian.clone());
-        ContactProblemBuilder::of(of_mechanism(inertia, jacobian), free_velocity, Some(known))
+        ContactProblemBuilder::of(of_mechanism(inertia, jacobian), free_velocity, Some(known)).within(true)
     }
 
     /// Begins a problem from the mechanism by bodies: W = H M̂⁻¹ Hᵀ acts through the bodies and is not formed, u_free = H v_free.
@@ -116,6 +118,7 @@ impl ContactProblem {
         };
         ContactProblemBuilder::of(dynamics.matrix_free().map(Operator::from), free_velocity, None)
             .rows_per_contact(dynamics.rows_per_contact())
+            .within(true)
     }
 
     /// The pieces of this problem, to make another one that differs in some.
@@ -129,7 +132,9 @@ impl ContactProblem {
     /// # Ok::<(), moreau_contact::Error>(())
     /// ```
     pub fn into_builder(self) -> ContactProblemBuilder {
+        let is_within = !self.may_overreach();
         ContactProblemBuilder {
+            is_within,
             name: self.name.into_inner(),
             rows_per_contact: self.rows_per_contact,
             law: self.law,
@@ -199,6 +204,7 @@ impl ContactProblemBuilder {
             dynamics,
             bodies: None,
             keys: None,
+            is_within: false,
         }
     }
 
@@ -241,6 +247,13 @@ impl ContactProblemBuilder {
     /// W \[1/kg\], in place of the one before; mass and Jacobian stay what they are.
     pub fn delassus(mut self, delassus: impl Into<Operator>) -> Self {
         self.delassus = Ok(delassus.into());
+        self.is_within = false;
+        self
+    }
+
+    /// Whether it is known that no entry of W is larger than one of bodies.
+    pub(crate) fn within(mut self, is_within: bool) -> Self {
+        self.is_within = is_within;
         self
     }
 
@@ -305,6 +318,7 @@ impl ContactProblemBuilder {
             groups: Once::default(),
             weights: Once::default(),
             islands: Once::default(),
+            overreaches: if self.is_within { Once::known(false) } else { Once::default() },
             velocity_factor: Once::default(),
             written_out: Once::default(),
             number: Number::default(),

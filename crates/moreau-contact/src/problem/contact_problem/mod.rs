@@ -82,6 +82,7 @@ pub struct ContactProblem {
     groups: Once<Lent<Vec<usize>>>,
     weights: Once<Weights>,
     islands: Once<Islands>,
+    overreaches: Once<bool>,
     velocity_factor: Once<Option<VelocityFactor>>,
     written_out: Once<Option<Dynamics>>,
     number: Number,
@@ -192,6 +193,17 @@ impl ContactProblem {
     /// The contacts that W joins, found once.
     pub(crate) fn islands(&self) -> &Islands {
         self.islands.get_or(|| Islands::of(&self.delassus, self.contacts()))
+    }
+
+    /// Whether an impulse that is small at its own contact may move another one far: some entry of W is larger than any of bodies. It is
+    /// found once, and known from the beginning where W is made of mass and Jacobian.
+    pub(crate) fn overreaches(&self) -> bool {
+        *self.overreaches.get_or(|| self.delassus.overreaches(self.rows_per_contact))
+    }
+
+    /// Whether that is so, or not known yet.
+    pub(crate) fn may_overreach(&self) -> bool {
+        self.overreaches.get() != Some(&false)
     }
 
     /// W = Y Yᵀ by bodies, found once: from the mechanism or the bodies where they are known, else from the blocks of W; `None` where they

@@ -39,6 +39,7 @@ impl ContactProblem {
             groups: groups.map_or_else(Once::default, Once::known),
             weights: Once::default(),
             islands: own.map_or_else(Once::default, Once::known),
+            overreaches: if self.may_overreach() { Once::default() } else { Once::known(false) },
             velocity_factor: Once::default(),
             written_out: Once::default(),
             number: Number::default(),
@@ -63,6 +64,7 @@ impl ContactProblem {
             groups: self.groups.clone(),
             weights: self.weights.clone(),
             islands: self.islands.clone(),
+            overreaches: self.overreaches.clone(),
             velocity_factor: Once::default(),
             written_out: Once::default(),
             number: Number::default(),
@@ -89,7 +91,8 @@ impl ContactProblem {
             _ => return Ok(None),
         };
         let normal = |whole: &DVector<f64>| DVector::from_fn(contacts, |k, _| whole[k * rows]);
-        let mut problem = ContactProblem::new(operator, normal(&self.free_velocity)).name(self.name()).rows_per_contact(1);
+        let mut problem = ContactProblem::new(operator, normal(&self.free_velocity)).within(!self.may_overreach());
+        problem = problem.name(self.name()).rows_per_contact(1);
         problem = problem.law(Law::Frictionless).friction(vec![0.0; contacts]).shift(normal(&self.shift));
         if let Some(Compliance { diagonal, .. }) = &self.compliance {
             problem = problem.compliance(Compliance { coordinates: Coordinates::Contact, diagonal: normal(diagonal) });

@@ -1,0 +1,86 @@
+//! How far an impulse reaches that counts as none: what it moves at other contacts.
+//!
+//! ```text
+//!     d          what an exact answer would not have: the impulse of a contact that opens, or what is outside of its disk    [N·s]
+//!     v_k        s_k/ρ_k, and at a contact without an impulse, which may move as it likes while it opens, w_k where it is larger  [m/s]
+//!     ‖d‖        is held against   ‖d‖ v_k/|(W d)_k| ,   the smallest over the rows k of the other contacts                  [N·s]
+//! ```
+//! Without d the answer is another one, and velocities differ by W d. Where every part that is taken away moves no row k by more than
+//! τ v_k, and every row whose impulse stays has a velocity within τ s_k/ρ_k, what is left solves *exactly* a problem whose given velocities
+//! differ by no more than the sum of these. An impulse that is small by its own size alone says nothing of the kind.
+//!
+//! Entries of a W of bodies, |W_ij|² ≤ W_ii W_jj, cannot carry a negligible impulse far, and it is not asked there: see
+//! [`ContactProblem::overreaches`]. A linear complementarity problem may have any matrix.
+
+use super::part::Part;
+use super::scales::Scales;
+use crate::cones::second_order::{length, tangential_norm};
+use crate::problem::{ContactProblem, Law};
+use std::cell::RefCell;
+
+/// An answer whose impulses are asked how far they reach.
+pub(super) struct Reach<'a> {
+    pub problem: &'a ContactProblem,
+    /// At this answer.
+    pub scales: &'a Scales,
+    pub impulse: &'a [f64],
+    /// y \[m/s\].
+    pub law_velocity: &'a [f64],
+    /// W d \[m/s\].
+    moved: RefCell<Vec<f64>>,
+}
+
+impl<'a> Reach<'a> {
+    /// Nothing where W is known to be one of bodies.
+    pub fn new(problem: &'a ContactProblem, scales: &'a Scales, [impulse, law_velocity]: [&'a [f64]; 2]) -> Option<Self> {
+        problem.may_overreach().then(|| Reach { problem, scales, impulse, law_velocity, moved: RefCell::default() })
+    }
+
+    /// The part d of the impulse of a contact, as an impulse \[N·s\]; 0 where it moves nothing above rounding. What it moves at the contact
+    /// itself is asked of the normal row, but where a push is taken away as a whole, `is_whole`, by which a contact that opens does so all
+    /// the more or by less than its own scale.
+    pub fn of(&self, contact: usize, taken: &[f64], is_whole: bool) -> Part {
+        if taken.iter().all(|d| *d == 0.0) || !self.problem.overreaches() {
+            return Part::default();
+        }
+        let mut moved = self.moved.borrow_mut();
+        moved.clear();
+        moved.resize(self.problem.rows(), 0.0);
+        self.problem.delassus().of_contacts().add_contact(contact, taken, &mut moved);
+        let mut farthest = Part::default();
+        for (k, moved) in moved.chunks_exact(taken.len()).enumerate().filter(|(_, moved)| moved.iter().any(|u| *u != 0.0)) {
+            let [normal, tangential] = self.at(k, moved);
+            if k != contact {
+                farthest = farthest.worse(normal).worse(tangential);
+            } else if !is_whole || taken[0] < 0.0 {
+                farthest = farthest.worse(normal);
+            }
+        }
+        if farthest.relative() == 0.0 {
+            return Part::default();
+        }
+        let value = length(taken[0], tangential_norm(taken));
+        Part { value, scale: value * (farthest.scale / farthest.value), floor: value * (farthest.floor / farthest.value) }
+    }
+
+    /// What the velocity W d of contact k is held against, along its normal and along its tangents.
+    fn at(&self, k: usize, moved: &[f64]) -> [Part; 2] {
+        let (law, rows) = (self.problem.law(), k * moved.len()..(k + 1) * moved.len());
+        let [r, y, floors] = [self.impulse, self.law_velocity, &self.scales.floors].map(|all| &all[rows.clone()]);
+        let ([v_n, v_t], hidden) = (self.scales.velocities(k), self.scales.hidden(k));
+        let ([m_n, m_t], [f_n, f_t]) = [moved, floors].map(|all| [all[0].abs(), tangential_norm(all)]).into();
+        let normal = Part { value: m_n, scale: v_n, floor: f_n.min(hidden) };
+        let mu = law.cone_friction(self.problem.friction()[k]);
+        if r.iter().all(|r| *r == 0.0) {
+            let lift = if matches!(law, Law::Associated | Law::PolyhedralAssociated { .. }) { mu } else { 0.0 };
+            let scale = v_n.max(y[0] - lift * tangential_norm(y));
+            return [Part { value: m_n + lift * m_t, scale, floor: (f_n + lift * f_t).min(hidden) }, Part::default()];
+        }
+        let rubbing = Part { value: m_t, scale: v_t, floor: f_t.min(hidden) };
+        [normal, if mu > 0.0 { rubbing } else { Part::default() }]
+    }
+}
+
+#[cfg(test)]
+#[path = "reach_tests.rs"]
+mod tests;
