@@ -55,8 +55,9 @@ Examples:
   moreau bench problems/ --solver auto --solver pgs --format json > times.json
   moreau bench problems/ --law associated --tolerance 1e-12 --answers answers/
 
-Exit code 0: every problem was solved by some solver, or has no solution, as is proved; 1: some was not solved; 2: a file
-cannot be read, or a solver cannot be asked about it; the others are measured all the same.";
+Exit code 0: every problem was solved by some solver, or has no solution, as is proved; 1: some was not solved, by solvers
+that refuse its law, too; 2: a file cannot be read, or what it says needs more memory than is allowed; the others are
+measured all the same.";
 
 /// What the columns and the lines below them are.
 fn explained() -> String {

@@ -54,7 +54,7 @@ A problem and a solution of it, as `moreau new problem` writes the first and `mo
 `impulse` is r [N·s], of every contact the normal entry first; `velocity` is u = W r + u_free [m/s] and may be left
 out; so may `problem` and `solver`. Every field: docs/formats.md, `moreau schema solution`.
 
-Exit code 0: a solution, or one is proved to exist; 1: not a solution, or none is proved to exist;
+Exit code 0: the answer is a solution, or, where none is given, one is proved to exist; 1: it is none, or none exists;
 2: the files cannot be read or do not fit each other.
 Of a folder the worst of these, and all are judged; a problem without an answer counts as 2, as 1 where it is proved
 to have no solution.";

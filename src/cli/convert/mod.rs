@@ -109,7 +109,9 @@ fn of_coulomb(problem: &ContactProblem) -> Result<&ContactProblem> {
         Law::Coulomb => Ok(problem),
         law => {
             let found = format!("is `{}`, and FCLIB has no place for laws other than Coulomb's", law.name());
-            Err(Error::invalid("law", found, "pose it with `--law coulomb`, or end --out in .json"))
+            let cure =
+                if problem.rows_per_contact() == 1 { "end --out in .json" } else { "pose it with `--law coulomb`, or end --out in .json" };
+            Err(Error::invalid("law", found, cure))
         }
     }
 }

@@ -50,7 +50,8 @@ pub fn read_object<T: DeserializeOwned>(text: &str, schema: &str) -> Result<T> {
     serde_json::from_str(text).map_err(|error| {
         // read once more: to know the path on the way costs time, and only this text needs it. Where it is no JSON everything is looked
         // at, also what T passes over
-        let path = if error.is_syntax() { path_in::<serde_json::Value>(text) } else { path_in::<T>(text) };
+        let path_of_json = || path_in::<serde_json::Value>(text);
+        let path = error.is_syntax().then(path_of_json).flatten().or_else(|| path_in::<T>(text));
         name_field(text, schema, error, path.as_ref())
     })
 }
@@ -70,7 +71,13 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error, path: Option<&
     if error.classify() == Category::Io {
         return Error::Json(error);
     }
-    let (problem, cure) = if error.to_string().starts_with("number out of range") {
+    let goes_on = error.to_string().starts_with("trailing characters");
+    // what stands after a whole file is no JSON; after what a list has room for it is
+    let is_list_too_long = goes_on && serde_json::from_str::<serde_json::Value>(text).is_ok();
+    let (problem, cure) = if is_list_too_long {
+        let place = format!("at line {} column {}", error.line(), error.column());
+        (format!("holds a list with an entry too many {place}"), format!("take it out, or see the schema {schema}"))
+    } else if error.to_string().starts_with("number out of range") {
         (error.to_string(), "use a finite number".to_string())
     } else if error.to_string().starts_with("recursion limit") {
         let problem = format!("holds lists and objects within each other too deep to be read: {error}");
@@ -82,7 +89,7 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error, path: Option<&
         (error.to_string(), format!("{meant}see the schema {schema}"))
     };
     let field = named(&error).or_else(|| last_key(text, error.line(), error.column()));
-    match field.filter(|_| !error.to_string().starts_with("trailing characters")) {
+    match field.filter(|_| is_list_too_long || !goes_on) {
         Some(field) => Error::invalid(within(path, field), problem, cure),
         None if error.classify() == Category::Syntax => Error::Unsupported(format!("{problem}; one object in braces is a whole file")),
         None => Error::Json(error),
@@ -92,12 +99,24 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error, path: Option<&
 /// Lists and objects within each other that the reader of JSON takes.
 const DEEPEST: usize = 127;
 
-/// A field with the objects and lists around it, as `bodies[0].position`.
+/// Lists within each other that fields have at most.
+const DEEP: usize = 3;
+
+/// The place in a list that a part of a path is.
+fn index_of(segment: &&Segment) -> Option<usize> {
+    if let Segment::Seq { index } = segment { Some(*index) } else { None }
+}
+
+/// A field with the objects and lists around it, as `bodies[0].position`, and the place in it where it is a list, as `friction[3]`.
 fn within(path: Option<&Path>, field: String) -> String {
     let mut around: Vec<&Segment> = path.map_or_else(Vec::new, |path| path.iter().collect());
     let is_key = |segment: &Segment| matches!(segment, Segment::Map { key } if *key == field);
     // what is inside of the field, and the field itself; a field that is missing or unknown is not on the path
     let end = around.iter().rposition(|segment| is_key(segment)).unwrap_or(around.len());
+    let places: Vec<usize> = around.iter().skip(end + 1).map_while(index_of).collect();
+    // lists within lists as deep as only a mistake makes them tell nothing
+    let places = if places.len() <= DEEP { &places[..] } else { &[] };
+    let field = places.iter().fold(field, |field, index| format!("{field}[{index}]"));
     around.truncate(end);
     let outer = around.iter().fold(String::new(), |path, segment| match segment {
         Segment::Seq { index } => format!("{path}[{index}]"),
@@ -185,7 +204,7 @@ mod tests {
 
     #[test]
     fn errors_name_the_field() {
-        assert!(message(r#"{"schema":"pair/1","first":[1,"x"],"second":2}"#).contains("`first`"));
+        assert!(message(r#"{"schema":"pair/1","first":[1,"x"],"second":2}"#).contains("field `first[1]`: invalid type"));
         assert!(message("{\"schema\":\"pair/1\",\n\"first\":[1],\n\"second\": 1e999}").contains("`second`"));
         assert!(message(r#"{"schema":"pair/1","first":[1],"secnd":2}"#).contains("field `secnd`: unknown"));
         assert!(message(r#"{"schema":"pair/1","first":[1],"secnd":2}"#).contains("did you mean `second`? see the schema"));
@@ -202,7 +221,7 @@ mod tests {
         let cut = message("{\"schema\":\"pair/1\",\n\"first\":[1");
         assert!(cut.contains("`first`") && cut.contains("ends early, at line 2 column 10") && cut.contains("not valid JSON"), "{cut}");
         assert!(message("{").contains("ends early, at line 1"));
-        assert!(message(r#"{"schema":"pair/1","first":[NaN],"second":2}"#).contains("`first`: not valid JSON"));
+        assert!(message(r#"{"schema":"pair/1","first":[NaN],"second":2}"#).contains("`first[0]`: not valid JSON"));
         assert!(message(r#"{"schema":"pair/1","first":[1],"second":-Infinity}"#).contains("`second`: not valid JSON"));
         for number in ["NaN", "-Infinity", "-NaN", "inf"] {
             let text = format!(r#"{{"schema":"pair/1","first":[1, {number}],"second":2}}"#);
@@ -229,6 +248,17 @@ mod tests {
         schema: String,
         pairs: Vec<Pair>,
         one: Option<Box<Pair>>,
+        two: Option<Vec<[f64; 2]>>,
+    }
+
+    #[test]
+    fn a_list_with_an_entry_too_many_is_told_with_its_place() {
+        let of = |two: &str| format!(r#"{{"schema":"pairs/1","pairs":[],"one":null,"two":{two}}}"#);
+        assert!(read_schema::<Pairs>(&of("[[1,2],[3,4]]"), "pairs/1").is_ok());
+        let more = read_schema::<Pairs>(&of("[[1,2],[3,4,5]]"), "pairs/1").unwrap_err().to_string();
+        assert!(more.contains("field `two[1]") && more.contains("an entry too many") && !more.contains("trailing"), "{more}");
+        let fewer = read_schema::<Pairs>(&of("[[1,2],[3]]"), "pairs/1").unwrap_err().to_string();
+        assert!(fewer.contains("field `two[1]") && fewer.contains("expected an array of length 2"), "{fewer}");
     }
 
     #[test]
@@ -238,7 +268,7 @@ mod tests {
             let text = format!(r#"{{"schema":"pairs/1","pairs":[{whole},{inner}],"one":{inner}}}"#);
             read_schema::<Pairs>(&text, "pairs/1").unwrap_err().to_string()
         };
-        assert!(message(&whole.replace("[1]", r#"[1,"x"]"#)).contains("`pairs[1].first`"));
+        assert!(message(&whole.replace("[1]", r#"[1,"x"]"#)).contains("`pairs[1].first[1]`"));
         assert!(message(&whole.replace(r#""second":2"#, r#""secnd":2"#)).contains("`pairs[1].secnd`: unknown"));
         assert!(message(&whole.replace(r#","second":2"#, "")).contains("`pairs[1].second`: missing"));
         let alone = format!(r#"{{"schema":"pairs/1","pairs":[],"one":{}}}"#, whole.replace(":2", ":[]"));
