@@ -73,19 +73,38 @@ fn a_pull_that_counts_as_none_holds_its_own_contact_no_less_than_others() {
 
 #[test]
 fn only_of_entries_that_are_none_of_bodies_is_it_asked() {
-    let stored = |w: DMatrix<f64>| {
-        let free = DVector::zeros(w.nrows());
-        ContactProblem::new(w, free).rows_per_contact(1).build().unwrap()
-    };
+    // one contact of two rows, for of one row it is asked in any case
+    let stored = |w: DMatrix<f64>| ContactProblem::new(w, DVector::zeros(2)).rows_per_contact(2).friction(vec![0.0]).build().unwrap();
     assert!(!stored(dmatrix![1e-20, 1.0; 1.0, 1e20]).overreaches(), "a light contact beside a heavy one");
     assert!(stored(dmatrix![1e-20, 8.0; 8.0, 1e20]).overreaches());
-    assert!(stored(dmatrix![1.0, 1.0; 0.0, 0.0]).overreaches() && stored(dmatrix![-1.0]).overreaches());
+    assert!(stored(dmatrix![1.0, 1.0; 0.0, 0.0]).overreaches() && stored(-DMatrix::identity(2, 2)).overreaches());
+    assert!(stored(DMatrix::identity(2, 2)).into_builder().rows_per_contact(1).friction(vec![0.0; 2]).build().unwrap().overreaches());
     // of mass and Jacobian nothing is looked at
     let made = ContactProblem::from_dynamics(dmatrix![2.0], dmatrix![1.0; -1.0], &dvector![0.0]).rows_per_contact(1).build().unwrap();
     assert!(!made.may_overreach() && stored(DMatrix::identity(2, 2)).may_overreach());
     assert!(!made.clone().into_builder().build().unwrap().may_overreach());
     let replaced = made.into_builder().delassus(dmatrix![0.0, 1.0; 1.0, 0.0]).build().unwrap();
     assert!(replaced.overreaches());
+}
+
+#[test]
+fn a_problem_of_one_row_each_is_asked_whatever_its_matrix_is() {
+    // entries of bodies, or none larger than four times that: what opens holds the others alone
+    let none = [
+        (dmatrix![1.0, -4.0, 4.0; -4.0, 1.0, 4.0; 0.0, 0.0, 1.0], dvector![-1.0, -1.0, 1e9], dvector![0.0, 0.0, 0.25]),
+        (dmatrix![1.0, -1.0, 1e-10; -1.0, 1.0, 1e-10; 1e-10, 1e-10, 1e-20], dvector![-1.0, -1.0, 1.0], dvector![0.0, 0.0, 1e10]),
+        (dmatrix![1.0, -1.0, 1.0; -1.0, 1.0, 1.0; 1.0, 1.0, 2.0], dvector![-1e-3, -1e-3, 1e6], dvector![0.0, 0.0, 1e-3]),
+        (dmatrix![1e-20, 1.0; 1.0, 2e20], dvector![1.0, -1.0], dvector![1.0, 0.0]),
+        (dmatrix![1.0, 1.0; 1.0, 2.0], dvector![1.0, -1e-9], dvector![1e-9, 0.0]),
+        (dmatrix![1e-10, 0.0; 4.0, 1e10], dvector![1.0, -1.0], dvector![0.25, 0.0]),
+    ];
+    for (matrix, vector, impulse) in none {
+        let problem = ContactProblem::new(matrix, vector).rows_per_contact(1).build().unwrap();
+        assert!(!residuals(&problem, &by_hand(&problem, impulse)).unwrap().is_solution(CERTIFY), "{:?}", problem.dense());
+        if let Ok(right) = LemkePivoting.solve(&problem, None) {
+            assert!(residuals(&problem, &right).unwrap().is_solution(CERTIFY), "{:?}", problem.dense());
+        }
+    }
 }
 
 /// 0 in some places, else ±2^k with |k| ≤ 40.

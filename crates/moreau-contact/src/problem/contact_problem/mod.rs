@@ -195,10 +195,11 @@ impl ContactProblem {
         self.islands.get_or(|| Islands::of(&self.delassus, self.contacts()))
     }
 
-    /// Whether an impulse that is small at its own contact may move another one far: some entry of W is larger than any of bodies. It is
-    /// found once, and known from the beginning where W is made of mass and Jacobian.
+    /// Whether an impulse that is small at its own contact may move another one far: some entry of W is larger than any of bodies, or it is
+    /// a linear complementarity problem of any matrix. It is found once, and known from the beginning where W is made of mass and Jacobian.
     pub(crate) fn overreaches(&self) -> bool {
-        *self.overreaches.get_or(|| self.delassus.overreaches(self.rows_per_contact))
+        let is_of_any_matrix = self.rows_per_contact == 1 && !self.knows_rows();
+        *self.overreaches.get_or(|| is_of_any_matrix || self.delassus.overreaches(self.rows_per_contact))
     }
 
     /// Whether that is so, or not known yet.
