@@ -10,9 +10,9 @@
 //! differ by no more than the sum of these. An impulse that is small by its own size alone says nothing of the kind.
 //!
 //! A linear complementarity problem may have any matrix, and it is always asked there; of rows with friction where an entry is larger than
-//! those of bodies, |W_ij|² ≤ W_ii W_jj, and never where W is made of mass and Jacobian: see [`ContactProblem::overreaches`]. There it moves
-//! another contact by no more than τ √(W_jj/W_ii) of its own scale, which is much where a light contact stands beside a heavy one: then the
-//! answer is one for given velocities that differ by as much, and `certify --prove` says by how much.
+//! those of bodies, |W_ij|² ≤ W_ii W_jj, and never where W is made of mass and Jacobian: see [`ContactProblem::overreaches`]. There it
+//! moves another contact by no more than τ √(W_jj/W_ii) of its own scale, which is much where a light contact stands beside a heavy one:
+//! then the answer is one for given velocities that differ by as much, and `certify --prove` says by how much.
 
 use super::part::Part;
 use super::scales::Scales;

@@ -54,8 +54,8 @@ pub(super) fn four_corners(law: Law, sideways: f64, turning: f64) -> ContactProb
         .expect(SOUND)
 }
 
-/// So many cubes of 1 kg and edge 2 m on each other, which fall for a hundredth of a second while every second one is pushed sideways, μ = ½:
-/// four contacts between each two, 12 rows for each six velocities, with W as a square matrix.
+/// So many cubes of 1 kg and edge 2 m on each other, which fall for a hundredth of a second while every second one is pushed sideways, μ =
+/// ½: four contacts between each two, 12 rows for each six velocities, with W as a square matrix.
 pub(super) fn tower(cubes: usize, law: Law, push: f64) -> ContactProblem {
     let (mut jacobian, mut bodies) = (DMatrix::zeros(12 * cubes, 6 * cubes), Vec::new());
     for cube in 0..cubes {

@@ -91,8 +91,8 @@ pub const NEAR_PROXIMAL: f64 = 1.0 / 1024.0;
 /// Set.
 pub const NEAR: f64 = 1.0 / 1_048_576.0;
 
-/// Steps around those points within `auto` before Fischer and Burmeister's equations are tried from where interior points ended: pushed walls
-/// of 1 060 contacts are near after 20 to 33, and those of 3 044, which take some hundreds, after 24 to 107 steps of the equations.
+/// Steps around those points within `auto` before Fischer and Burmeister's equations are tried from where interior points ended: pushed
+/// walls of 1 060 contacts are near after 20 to 33, and those of 3 044, which take some hundreds, after 24 to 107 steps of the equations.
 /// Set.
 pub const POINTS_AFTER_INTERIOR: usize = 40;
 

@@ -46,8 +46,8 @@ impl ContactProblem {
         }
     }
 
-    /// The same problem with this W in place of a dense one of the same entries: what was found of its contacts stays, mass and Jacobian are
-    /// left out.
+    /// The same problem with this W in place of a dense one of the same entries: what was found of its contacts stays, mass and Jacobian
+    /// are left out.
     pub(crate) fn stored_as(&self, blocks: BlockSparse) -> ContactProblem {
         ContactProblem {
             name: self.name.clone(),

@@ -1,4 +1,5 @@
-//! Interior points first, and what ends the problem from there: they tell which contacts press, stick and slide, however redundant they are.
+//! Interior points first, and what ends the problem from there: they tell which contacts press, stick and slide, however redundant they
+//! are.
 
 use super::super::watch;
 use super::super::{ContactSolver, FischerBurmeister, InteriorPoint, NonsmoothNewton, ProximalNewton};
@@ -15,8 +16,8 @@ pub(super) fn and_newton(problem: &ContactProblem, stop: f64) -> Result<Solution
     Ok(Solution { iterations: begun.iterations + ended.iterations, ..ended })
 }
 
-/// Interior points, from more impulse and with what leaves the middle put back, as far as they tell most contacts apart, and from there what
-/// tells the others: a few proximal points, where those fail Fischer and Burmeister's equations, and where those fail many points.
+/// Interior points, from more impulse and with what leaves the middle put back, as far as they tell most contacts apart, and from there
+/// what tells the others: a few proximal points, where those fail Fischer and Burmeister's equations, and where those fail many points.
 pub(super) fn and_points(problem: &ContactProblem, stop: f64) -> Result<Solution> {
     let interior = InteriorPoint { first_impulse: tolerance::FIRST_IMPULSE, recentres: true, ..Default::default() };
     let begun = InteriorPoint { tolerance: stop, gap: tolerance::IDENTIFIED, ..interior }.solve(problem, None)?;

@@ -33,7 +33,7 @@ use stages::{QUICK, THOROUGH, left_out};
 /// | no friction, up to 12 contacts | Newton-min, and Lemke where a contact does not move itself |
 /// | many contacts, two rows for each velocity, round cones | interior points until contacts are told apart, proximal points, Newton |
 /// | all but a compliance on edges | a few accelerated sweeps, and a few steps of nonsmooth Newton from what they found |
-/// | fewer contacts of that kind under Coulomb's law | the same interior points, proximal points, Newton |
+/// | fewer contacts of that kind under Coulomb's law | interior points and Newton; the same as of many contacts |
 /// | a thousand contacts, fewer rows for each velocity, W stored by blocks, round cones | plain sweeps, and proximal points from there |
 /// | W stored by blocks, round cones | interior points, and Newton from there |
 /// | all but a compliance on edges | Newton |
@@ -155,7 +155,8 @@ fn opens_everywhere(problem: &ContactProblem) -> bool {
     })
 }
 
-/// The answer of [`through`], to W by blocks where it has few; where it is not good and nothing rubs, that of the normal rows, for which there are algorithms to the end.
+/// The answer of [`through`], to W by blocks where it has few; where it is not good and nothing rubs, that of the normal rows, for which
+/// there are algorithms to the end.
 fn chain(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Result<Solution> {
     super::parts::check_start(problem, warm_start)?;
     if let Some(stored) = by_blocks::stored(problem) {

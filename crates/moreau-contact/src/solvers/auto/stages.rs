@@ -30,10 +30,11 @@ pub(super) const QUICK: &[(Takes, Stage)] = &[
     (is_redundant, |problem, _, stop| interior::and_points(problem, stop)),
     (is_iterated, few_sweeps),
     (is_iterated, short_newton),
+    (is_stuck, |problem, _, stop| interior::and_newton(problem, stop)),
     (is_stuck, |problem, _, stop| interior::and_points(problem, stop)),
     (is_rubbing, |problem, _, stop| smoothing::solve(problem, None, stop)),
     (is_many_and_free, through_sweeps),
-    (is_large, |problem, _, stop| interior::and_newton(problem, stop)),
+    (|problem| is_large(problem) && !is_stuck(problem), |problem, _, stop| interior::and_newton(problem, stop)),
     (is_iterated, newton),
     (is_principal, principal_pivots),
 ];
@@ -41,7 +42,7 @@ pub(super) const QUICK: &[(Takes, Stage)] = &[
 /// Those that follow where the answer is not good enough yet for the certificate, [`ACCEPTABLE`].
 pub(super) const THOROUGH: &[(Takes, Stage)] = &[
     (is_iterated, |problem, _, stop| ProximalNewton { steps: STEPS_IN_AUTO, tolerance: stop, ..Default::default() }.solve(problem, None)),
-    (is_smoothed, |problem, _, stop| smoothing::solve(problem, None, stop)),
+    (|problem| is_smoothed(problem) && !is_rubbing(problem), |problem, _, stop| smoothing::solve(problem, None, stop)),
     (has_second_order_cone, patient_points),
     (has_blocks, |problem, _, stop| newton(problem, None, stop)),
     (is_pivoted_soon, |problem, _, _| LemkePivoting.solve(problem, None)),
