@@ -31,9 +31,9 @@ const CAUSES: [(&str, &[&str]); 32] = [
     ("no-id", &["no `id`"]),
     ("nan", &["`points[0][0]` is NaN"]),
     ("infinity", &["`points[0][0]` is Infinity"]),
-    ("overflow", &["`points`", "number out of range"]),
-    ("null", &["`points`", "null"]),
-    ("text", &["`points`", "string \"1\""]),
+    ("overflow", &["`points", "number out of range"]),
+    ("null", &["`points", "null"]),
+    ("text", &["`points", "string \"1\""]),
     ("sizes", &["`points`", "has 2 rows"]),
     ("row-sizes", &["`points`", "of the same size"]),
     ("half-line", &["ended without a reply", "in the middle of the line", "\"poi`"]),
@@ -46,7 +46,7 @@ const CAUSES: [(&str, &[&str]); 32] = [
     ("grandchild-and-exit", &["ended without a reply", "exit status: 3", "grandchild"]),
     ("grandchild-in-its-own-group", &["no reply within 2s", "grandchild"]),
     ("dribble", &["no reply within 2s", "in the middle of the line", "xx"]),
-    ("nesting", &["`points`"]),
+    ("nesting", &["`points"]),
     ("nesting-without-end", &["no reply within 2s", "[[["]),
 ];
 

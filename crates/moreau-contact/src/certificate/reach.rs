@@ -9,7 +9,7 @@
 //! τ v_k, and every row whose impulse stays has a velocity within τ s_k/ρ_k, what is left solves *exactly* a problem whose given velocities
 //! differ by no more than the sum of these. An impulse that is small by its own size alone says nothing of the kind.
 //!
-//! A linear complementarity problem may have any matrix, and it is always asked there; of rows with friction where an entry is larger than
+//! A linear complementarity problem may have any matrix, and it is always asked there; of contacts where an entry is larger than
 //! those of bodies, |W_ij|² ≤ W_ii W_jj, and never where W is made of mass and Jacobian: see [`ContactProblem::overreaches`]. There it
 //! moves another contact by no more than τ √(W_jj/W_ii) of its own scale, which is much where a light contact stands beside a heavy one:
 //! then the answer is one for given velocities that differ by as much, and `certify --prove` says by how much.

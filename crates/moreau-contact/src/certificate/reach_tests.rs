@@ -73,12 +73,13 @@ fn a_pull_that_counts_as_none_holds_its_own_contact_no_less_than_others() {
 
 #[test]
 fn only_of_entries_that_are_none_of_bodies_is_it_asked() {
-    // one contact of two rows, for of one row it is asked in any case
+    // one contact of two rows
     let stored = |w: DMatrix<f64>| ContactProblem::new(w, DVector::zeros(2)).rows_per_contact(2).friction(vec![0.0]).build().unwrap();
     assert!(!stored(dmatrix![1e-20, 1.0; 1.0, 1e20]).overreaches(), "a light contact beside a heavy one");
     assert!(stored(dmatrix![1e-20, 8.0; 8.0, 1e20]).overreaches());
     assert!(stored(dmatrix![1.0, 1.0; 0.0, 0.0]).overreaches() && stored(-DMatrix::identity(2, 2)).overreaches());
-    assert!(stored(DMatrix::identity(2, 2)).into_builder().rows_per_contact(1).friction(vec![0.0; 2]).build().unwrap().overreaches());
+    let any = stored(DMatrix::identity(2, 2)).into_builder().of_any_matrix().build().unwrap();
+    assert!(any.overreaches() && any.into_builder().build().unwrap().overreaches(), "what is said of it stays");
     // of mass and Jacobian nothing is looked at
     let made = ContactProblem::from_dynamics(dmatrix![2.0], dmatrix![1.0; -1.0], &dvector![0.0]).rows_per_contact(1).build().unwrap();
     assert!(!made.may_overreach() && stored(DMatrix::identity(2, 2)).may_overreach());
@@ -88,7 +89,7 @@ fn only_of_entries_that_are_none_of_bodies_is_it_asked() {
 }
 
 #[test]
-fn a_problem_of_one_row_each_is_asked_whatever_its_matrix_is() {
+fn a_problem_of_any_matrix_is_asked_whatever_its_entries_are() {
     // entries of bodies, or none larger than four times that: what opens holds the others alone
     let none = [
         (dmatrix![1.0, -4.0, 4.0; -4.0, 1.0, 4.0; 0.0, 0.0, 1.0], dvector![-1.0, -1.0, 1e9], dvector![0.0, 0.0, 0.25]),
@@ -99,7 +100,7 @@ fn a_problem_of_one_row_each_is_asked_whatever_its_matrix_is() {
         (dmatrix![1e-10, 0.0; 4.0, 1e10], dvector![1.0, -1.0], dvector![0.25, 0.0]),
     ];
     for (matrix, vector, impulse) in none {
-        let problem = ContactProblem::new(matrix, vector).rows_per_contact(1).build().unwrap();
+        let problem = ContactProblem::new(matrix, vector).rows_per_contact(1).of_any_matrix().build().unwrap();
         assert!(!residuals(&problem, &by_hand(&problem, impulse)).unwrap().is_solution(CERTIFY), "{:?}", problem.dense());
         if let Ok(right) = LemkePivoting.solve(&problem, None) {
             assert!(residuals(&problem, &right).unwrap().is_solution(CERTIFY), "{:?}", problem.dense());

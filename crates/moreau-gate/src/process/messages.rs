@@ -294,9 +294,9 @@ mod tests {
     fn results_are_read_strictly_and_errors_name_the_field() {
         let message = |outcome: moreau_exact::Result<Vec<Vec<f64>>>| outcome.expect_err("refused").to_string();
         let asked = [vec![1.0, 0.0]];
-        assert!(message(points(r#"{"points":[[1,1e999]]}"#, &asked)).contains("`points`: number out of range"));
+        assert!(message(points(r#"{"points":[[1,1e999]]}"#, &asked)).contains("`points[0][1]`: number out of range"));
         assert!(message(points(r#"{"points":[[1,0],[1,0]]}"#, &asked)).contains("`points`: has 2 rows"));
-        assert!(message(points(r#"{"points":[[1,"x"]]}"#, &asked)).contains("`points`"));
+        assert!(message(points(r#"{"points":[[1,"x"]]}"#, &asked)).contains("`points[0][1]`"));
         assert!(message(points(r#"{"point":[]}"#, &asked)).contains("`point`"));
         assert_eq!(points(r#"{"points":[[1,0.5]]}"#, &asked).expect("well formed"), [[1.0, 0.5]]);
         let short = r#"{"schema":"solution/1","impulse":[1],"velocity":[0]}"#;

@@ -28,8 +28,8 @@ pub struct ContactProblemBuilder {
     dynamics: Option<Known>,
     bodies: Option<Vec<[Option<usize>; 2]>>,
     keys: Option<Vec<ContactKey>>,
-    /// Whether it is known that no entry of W is larger than one of bodies.
-    is_within: bool,
+    /// What is known of whether an impulse that is small at its own contact may move another one far.
+    overreaches: Option<bool>,
 }
 
 impl ContactProblem {
@@ -75,7 +75,7 @@ impl ContactProblem {
     pub fn from_dynamics(mass: DMatrix<f64>, jacobian: DMatrix<f64>, free_motion: &DVector<f64>) -> ContactProblemBuilder {
         let free_velocity = fitting(jacobian.ncols(), free_motion).map(|motion| &jacobian * motion);
         let delassus = delassus(&mass, &jacobian).map(Operator::from);
-        ContactProblemBuilder::of(delassus, free_velocity, Some(Known::Dense(Dynamics { mass, jacobian }))).within(true)
+        ContactProblemBuilder::of(delassus, free_velocity, Some(Known::Dense(Dynamics { mass, jacobian }))).overreaching(Some(false))
     }
 
     /// Does what [`ContactProblem::from_dynamics`] does, from a mass matrix that is factored already and rows that are kept body by body: W
@@ -92,7 +92,7 @@ impl ContactProblem {
 
     fn from_inertia_at(inertia: &Arc<Inertia>, jacobian: &Arc<Jacobian>, free_velocity: Result<DVector<f64>>) -> ContactProblemBuilder {
         let known = Known::sparse(inertia.clone(), jacobian.clone());
-        ContactProblemBuilder::of(of_mechanism(inertia, jacobian), free_velocity, Some(known)).within(true)
+        ContactProblemBuilder::of(of_mechanism(inertia, jacobian), free_velocity, Some(known)).overreaching(Some(false))
     }
 
     /// Begins a problem from the mechanism by bodies: W = H M̂⁻¹ Hᵀ acts through the bodies and is not formed, u_free = H v_free.
@@ -118,7 +118,7 @@ impl ContactProblem {
         };
         ContactProblemBuilder::of(dynamics.matrix_free().map(Operator::from), free_velocity, None)
             .rows_per_contact(dynamics.rows_per_contact())
-            .within(true)
+            .overreaching(Some(false))
     }
 
     /// The pieces of this problem, to make another one that differs in some.
@@ -132,9 +132,9 @@ impl ContactProblem {
     /// # Ok::<(), moreau_contact::Error>(())
     /// ```
     pub fn into_builder(self) -> ContactProblemBuilder {
-        let is_within = !self.may_overreach();
+        let overreaches = self.known_overreach();
         ContactProblemBuilder {
-            is_within,
+            overreaches,
             name: self.name.into_inner(),
             rows_per_contact: self.rows_per_contact,
             law: self.law,
@@ -204,7 +204,7 @@ impl ContactProblemBuilder {
             dynamics,
             bodies: None,
             keys: None,
-            is_within: false,
+            overreaches: None,
         }
     }
 
@@ -247,13 +247,19 @@ impl ContactProblemBuilder {
     /// W \[1/kg\], in place of the one before; mass and Jacobian stay what they are.
     pub fn delassus(mut self, delassus: impl Into<Operator>) -> Self {
         self.delassus = Ok(delassus.into());
-        self.is_within = false;
+        self.overreaches = None;
         self
     }
 
-    /// Whether it is known that no entry of W is larger than one of bodies.
-    pub(crate) fn within(mut self, is_within: bool) -> Self {
-        self.is_within = is_within;
+    /// W is any matrix, as of a linear complementarity problem, and no Delassus operator: an impulse that is small by its own size may
+    /// carry another row, and the certificate asks for that. Where it is not said, entries that are too large for bodies tell.
+    pub fn of_any_matrix(self) -> Self {
+        self.overreaching(Some(true))
+    }
+
+    /// What is known of that.
+    pub(crate) fn overreaching(mut self, known: Option<bool>) -> Self {
+        self.overreaches = known;
         self
     }
 
@@ -318,7 +324,7 @@ impl ContactProblemBuilder {
             groups: Once::default(),
             weights: Once::default(),
             islands: Once::default(),
-            overreaches: if self.is_within { Once::known(false) } else { Once::default() },
+            overreaches: self.overreaches.map_or_else(Once::default, Once::known),
             velocity_factor: Once::default(),
             written_out: Once::default(),
             number: Number::default(),

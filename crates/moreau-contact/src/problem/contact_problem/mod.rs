@@ -198,8 +198,12 @@ impl ContactProblem {
     /// Whether an impulse that is small at its own contact may move another one far: some entry of W is larger than any of bodies, or it is
     /// a linear complementarity problem of any matrix. It is found once, and known from the beginning where W is made of mass and Jacobian.
     pub(crate) fn overreaches(&self) -> bool {
-        let is_of_any_matrix = self.rows_per_contact == 1 && !self.knows_rows();
-        *self.overreaches.get_or(|| is_of_any_matrix || self.delassus.overreaches(self.rows_per_contact))
+        *self.overreaches.get_or(|| self.delassus.overreaches(self.rows_per_contact))
+    }
+
+    /// The same, if it is known.
+    pub(crate) fn known_overreach(&self) -> Option<bool> {
+        self.overreaches.get().copied()
     }
 
     /// Whether that is so, or not known yet.

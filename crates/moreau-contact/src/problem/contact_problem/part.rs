@@ -39,7 +39,7 @@ impl ContactProblem {
             groups: groups.map_or_else(Once::default, Once::known),
             weights: Once::default(),
             islands: own.map_or_else(Once::default, Once::known),
-            overreaches: if self.may_overreach() { Once::default() } else { Once::known(false) },
+            overreaches: self.known_overreach().map_or_else(Once::default, Once::known),
             velocity_factor: Once::default(),
             written_out: Once::default(),
             number: Number::default(),
@@ -91,7 +91,7 @@ impl ContactProblem {
             _ => return Ok(None),
         };
         let normal = |whole: &DVector<f64>| DVector::from_fn(contacts, |k, _| whole[k * rows]);
-        let mut problem = ContactProblem::new(operator, normal(&self.free_velocity)).within(!self.may_overreach());
+        let mut problem = ContactProblem::new(operator, normal(&self.free_velocity)).overreaching(self.known_overreach());
         problem = problem.name(self.name()).rows_per_contact(1);
         problem = problem.law(Law::Frictionless).friction(vec![0.0; contacts]).shift(normal(&self.shift));
         if let Some(Compliance { diagonal, .. }) = &self.compliance {

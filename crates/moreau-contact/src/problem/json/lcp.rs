@@ -48,7 +48,12 @@ pub(super) fn read(text: &str) -> Result<ContactProblem> {
     }
     memory::require("the matrix of this problem", memory::matrix(size, size).saturating_mul(2))?;
     let matrix = file.matrix.read("matrix")?;
-    ContactProblem::new(matrix, DVector::from_vec(file.vector)).name(file.name).law(Law::Frictionless).rows_per_contact(1).build()
+    ContactProblem::new(matrix, DVector::from_vec(file.vector))
+        .name(file.name)
+        .law(Law::Frictionless)
+        .rows_per_contact(1)
+        .of_any_matrix()
+        .build()
 }
 
 #[cfg(test)]

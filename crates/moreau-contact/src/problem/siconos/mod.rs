@@ -89,5 +89,5 @@ fn lcp(tokens: &mut Tokens, name: &str) -> Result<ContactProblem> {
     }
     let vector = DVector::from_vec(tokens.vector("q", size)?);
     let matrix: DMatrix<f64> = matrix.into_dense()?;
-    ContactProblem::new(matrix, vector).name(name).law(Law::Frictionless).rows_per_contact(1).build()
+    ContactProblem::new(matrix, vector).name(name).law(Law::Frictionless).rows_per_contact(1).of_any_matrix().build()
 }
