@@ -61,7 +61,9 @@ def options_of(words):
     options.accuracy = options.accuracy or [1e-8, 1e-12]
     options.solver = options.solver or ["auto"]
     options.peers = options.peers.split(",") if options.peers else []
-    options.command = "scripts/bench_peers.py " + " ".join(words)
+    # where a folder lies on this machine is no part of what is repeated
+    shown = (Path(word).name if os.path.isabs(word) else word for word in words)
+    options.command = " ".join(["scripts/bench_peers.py", *shown])
     return options
 
 

@@ -32,6 +32,14 @@ def report(*problems):
     return made
 
 
+class Command(unittest.TestCase):
+    def test_where_a_folder_lies_is_not_told(self):
+        with tempfile.TemporaryDirectory() as folder:
+            told = bench_peers.options_of([folder, "--limit", "5"]).command
+            self.assertEqual(told, f"scripts/bench_peers.py {Path(folder).name} --limit 5")
+            self.assertEqual(bench_peers.options_of(["heaps/new"]).command, "scripts/bench_peers.py heaps/new")
+
+
 @unittest.skipUnless(HAS_NUMPY, "numpy is not installed")
 class Cones(unittest.TestCase):
     def test_a_pull_without_friction_is_projected_to_nothing(self):

@@ -52,3 +52,8 @@ impl Here<'_> {
         if mu > 0.0 { at_most(mu * s_r, at_least(s_r, s_t)) } else { s_r }
     }
 }
+
+/// (n, t₁, t₂) of an impulse, zero where a contact has no such row \[N·s\].
+pub(super) fn in_space(impulse: &[f64]) -> [f64; 3] {
+    std::array::from_fn(|row| impulse.get(row).copied().unwrap_or(0.0))
+}

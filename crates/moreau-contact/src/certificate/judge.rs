@@ -17,7 +17,7 @@
 //! is within its own says no more than this velocity. Where a contact slides, the scale of friction is μ s_r, for μ > 1 at most the larger
 //! of s_r and s_t. The rounding of its velocity counts as an angle, relative to the slip.
 
-use super::at_contact::{AtContact, Here};
+use super::at_contact::{AtContact, Here, in_space};
 use super::judged::Judged;
 use super::part::{Part, pair};
 use super::polyhedral::{self, Pairs};
@@ -287,11 +287,6 @@ fn outside<const ROWS: usize>(radius: f64, r: &[f64; ROWS], here: &Here) -> Part
     let beyond = if pushed > radius { (pushed - radius) / pushed } else { 0.0 };
     let [_, first, second] = in_space(r);
     if beyond > 0.0 { here.reach(|| [0.0, beyond * first, beyond * second], false) } else { Part::default() }
-}
-
-/// (n, t₁, t₂), zero where a contact has no such row.
-fn in_space<const ROWS: usize>(r: &[f64; ROWS]) -> [f64; 3] {
-    std::array::from_fn(|row| r.get(row).copied().unwrap_or(0.0))
 }
 
 /// The sizes of an answer against those of its problem.

@@ -14,7 +14,7 @@
 //! directions with Dⱼ·y_t + σ = 0 may carry β, and r_t on the boundary of the polygon has no other decomposition; when σ = 0 and
 //! r_t is inside, y_t = 0 and every decomposition does.
 
-use super::at_contact::{AtContact, Here, worst};
+use super::at_contact::{AtContact, Here, in_space, worst};
 use super::part::{Part, pair};
 use crate::cones::polyhedral::{along_edges, along_neighbours, direction};
 use crate::cones::second_order::length;
@@ -102,12 +102,6 @@ fn rubbed(here: &Here) -> [f64; 2] {
         (false, true) => [-along / slip, -across / slip],
         _ => [0.0; 2],
     }
-}
-
-/// (n, t₁, t₂), zero where a contact has no such row.
-fn in_space(r: &[f64]) -> [f64; 3] {
-    let [first, second] = tangent(r);
-    [r[0], first, second]
 }
 
 /// The rounding of a sum of d parts of at most `size`.
