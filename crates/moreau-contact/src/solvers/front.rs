@@ -6,11 +6,24 @@
 //! ```
 //! Panels of columns are eliminated one after the other, within them a few columns at a time, and the rest of the front is updated by a
 //! matrix product. Rows are exchanged for
-//! the largest pivot among the pivot rows only: what lies below belongs to other fronts.
+//! the largest pivot among the pivot rows only: what lies below belongs to other fronts. Where faer is compiled in, its kernels do the
+//! same to wide fronts: `wide_front.rs`.
 
 use super::watch;
+#[cfg(feature = "faer")]
+use super::wide_front;
+#[cfg(feature = "faer")]
+use crate::tolerance::fronts::WIDE;
 use crate::tolerance::fronts::{COLUMNS, PANEL, SMALL_PRODUCT, STRIP};
 use nalgebra::{DMatrixView, DMatrixViewMut};
+
+/// What eliminating uses again.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Memory {
+    copied: Vec<f64>,
+    #[cfg(feature = "faer")]
+    wide: wide_front::Memory,
+}
 
 /// C ← C − A B of m × n entries with k terms; A and C have columns of length `size`, B any strides.
 fn subtract(c: &mut [f64], [m, n, k]: [usize; 3], size: usize, a: &[f64], b: &[f64], strides: [usize; 2]) {
@@ -56,7 +69,17 @@ fn subtract_terms<const N: usize>(c: &mut [f64], [m, n]: [usize; 2], size: usize
 
 /// L of the first `pivots` columns of a symmetric front of which the lower triangle is given; false where a pivot is not positive, or
 /// whoever watches the solver ended it.
-pub(super) fn cholesky(front: &mut [f64], size: usize, pivots: usize) -> bool {
+pub(super) fn cholesky(front: &mut [f64], size: usize, pivots: usize, memory: &mut Memory) -> bool {
+    #[cfg(feature = "faer")]
+    if size >= WIDE {
+        return wide_front::cholesky(front, size, pivots, &mut memory.wide);
+    }
+    let _ = memory;
+    own_cholesky(front, size, pivots)
+}
+
+/// [`cholesky`] of any front by our own products.
+pub(super) fn own_cholesky(front: &mut [f64], size: usize, pivots: usize) -> bool {
     let mut first = 0;
     while first < pivots {
         if watch::is_over() {
@@ -89,8 +112,17 @@ pub(super) fn cholesky(front: &mut [f64], size: usize, pivots: usize) -> bool {
 
 /// L (unit diagonal) and U of the first `pivots` columns; `exchanged[j]` is the row that took the place of row j. False where no pivot is
 /// left that is a number other than zero, or whoever watches the solver ended it.
-pub(super) fn lu(front: &mut [f64], size: usize, pivots: usize, exchanged: &mut [usize], copied: &mut Vec<f64>) -> bool {
-    let mut first = 0;
+pub(super) fn lu(front: &mut [f64], size: usize, pivots: usize, exchanged: &mut [usize], memory: &mut Memory) -> bool {
+    #[cfg(feature = "faer")]
+    if size >= WIDE {
+        return wide_front::lu(front, size, pivots, exchanged, &mut memory.wide);
+    }
+    own_lu(front, size, pivots, exchanged, memory)
+}
+
+/// [`lu`] of any front by our own products.
+pub(super) fn own_lu(front: &mut [f64], size: usize, pivots: usize, exchanged: &mut [usize], memory: &mut Memory) -> bool {
+    let (mut first, copied) = (0, &mut memory.copied);
     while first < pivots {
         if watch::is_over() {
             return false;
@@ -171,11 +203,11 @@ fn forward_within<const N: usize>(lower: &[f64], size: usize, begin: usize, x: &
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use nalgebra::DMatrix;
 
-    fn matrix(size: usize, seed: u64) -> DMatrix<f64> {
+    pub(in crate::solvers) fn matrix(size: usize, seed: u64) -> DMatrix<f64> {
         let mut state = seed;
         DMatrix::from_fn(size, size, |_, _| {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -196,8 +228,8 @@ mod tests {
         for (size, pivots) in [(1, 1), (3, 1), (7, 4), (60, 30), (130, 70), (131, 131)] {
             let general = matrix(size, size as u64);
             let definite = &general * general.transpose() + DMatrix::identity(size, size);
-            let (mut front, mut exchanged, mut copied) = (general.as_slice().to_vec(), vec![0; pivots], Vec::new());
-            assert!(lu(&mut front, size, pivots, &mut exchanged, &mut copied));
+            let (mut front, mut exchanged, mut memory) = (general.as_slice().to_vec(), vec![0; pivots], Memory::default());
+            assert!(lu(&mut front, size, pivots, &mut exchanged, &mut memory));
             let rest = |front: &[f64]| {
                 DMatrix::from_column_slice(size, size, front).view((pivots, pivots), (size - pivots, size - pivots)).into_owned()
             };
@@ -206,7 +238,7 @@ mod tests {
             let bound = |scale: f64| moreau_exact::tolerance::rounding(8 * size, scale);
             assert!((rest(&front) - &expected).amax() <= bound(growth * size as f64), "{size} {pivots}");
             let mut front = definite.as_slice().to_vec();
-            assert!(cholesky(&mut front, size, pivots));
+            assert!(cholesky(&mut front, size, pivots, &mut memory));
             let expected = complement(&definite, pivots);
             let found = rest(&front);
             for j in 0..size - pivots {
@@ -220,8 +252,9 @@ mod tests {
     #[test]
     fn a_front_is_left_where_the_solver_was_ended() {
         let interrupt = watch::Interrupt::default();
-        let (mut exchanged, mut copied) = (vec![0; 2], Vec::new());
-        let mut both = || (cholesky(&mut [2.0, 1.0, 1.0, 2.0], 2, 2), lu(&mut [2.0, 1.0, 1.0, 2.0], 2, 2, &mut exchanged, &mut copied));
+        let (mut exchanged, mut memory) = (vec![0; 2], Memory::default());
+        let mut both =
+            || (cholesky(&mut [2.0, 1.0, 1.0, 2.0], 2, 2, &mut memory), lu(&mut [2.0, 1.0, 1.0, 2.0], 2, 2, &mut exchanged, &mut memory));
         assert_eq!(watch::watched(&interrupt, &mut both).0, (true, true));
         interrupt.now();
         let (ended, seen) = watch::watched(&interrupt, &mut both);
@@ -230,11 +263,11 @@ mod tests {
 
     #[test]
     fn a_front_without_pivot_is_told() {
-        let (mut exchanged, mut copied) = (vec![0; 2], Vec::new());
-        assert!(!lu(&mut [1.0, 2.0, 2.0, 4.0], 2, 2, &mut exchanged, &mut copied), "singular");
-        assert!(lu(&mut [0.0, 2.0, 4.0, 0.0], 2, 2, &mut exchanged, &mut copied), "an exchange of rows");
-        assert!(!lu(&mut [f64::NAN; 4], 2, 2, &mut exchanged, &mut copied));
-        assert!(!cholesky(&mut [1.0, 2.0, 2.0, 1.0], 2, 2), "indefinite");
-        assert!(!cholesky(&mut [f64::NAN; 4], 2, 2));
+        let (mut exchanged, mut memory) = (vec![0; 2], Memory::default());
+        assert!(!lu(&mut [1.0, 2.0, 2.0, 4.0], 2, 2, &mut exchanged, &mut memory), "singular");
+        assert!(lu(&mut [0.0, 2.0, 4.0, 0.0], 2, 2, &mut exchanged, &mut memory), "an exchange of rows");
+        assert!(!lu(&mut [f64::NAN; 4], 2, 2, &mut exchanged, &mut memory));
+        assert!(!cholesky(&mut [1.0, 2.0, 2.0, 1.0], 2, 2, &mut memory), "indefinite");
+        assert!(!cholesky(&mut [f64::NAN; 4], 2, 2, &mut memory));
     }
 }

@@ -90,6 +90,8 @@ mod table;
 pub mod threads;
 mod velocity_elimination;
 pub mod watch;
+#[cfg(feature = "faer")]
+mod wide_front;
 mod workspace;
 
 pub use accelerated_projected_gradient::{AcceleratedProjectedGradient, Momentum, largest_eigenvalue_bound, objective};

@@ -43,7 +43,7 @@ pub(super) struct Work {
     front: Vec<f64>,
     updates: Vec<Vec<f64>>,
     local: Vec<usize>,
-    copied: Vec<f64>,
+    own: front::Memory,
     part: Vec<f64>,
 }
 
@@ -86,8 +86,8 @@ impl Factor {
             let exchanged = if is_symmetric { &mut [] } else { &mut self.exchanged[exchanges..exchanges + node.pivots] };
             exchanges += node.pivots;
             let is_regular = match is_symmetric {
-                true => front::cholesky(&mut work.front, size, node.pivots),
-                false => front::lu(&mut work.front, size, node.pivots, exchanged, &mut work.copied),
+                true => front::cholesky(&mut work.front, size, node.pivots, &mut work.own),
+                false => front::lu(&mut work.front, size, node.pivots, exchanged, &mut work.own),
             };
             self.was_left = watch::is_over();
             if !is_regular || self.was_left {

@@ -25,6 +25,16 @@ pub const VAIN: usize = 8;
 /// Set.
 pub const NARROW: (usize, usize) = (3, 24);
 
+/// Rows from which a front is left to faer's kernels, where they are compiled in; below, ours are as fast, and 36 rows are no gain.
+/// Set.
+#[cfg(feature = "faer")]
+pub const WIDE: usize = 48;
+
+/// Pivots that faer's kernels eliminate between two looks at the watch: some hundredths of a second in a front of 10⁴ rows.
+/// Set.
+#[cfg(feature = "faer")]
+pub const BETWEEN_LOOKS: usize = 128;
+
 /// Contacts that are eliminated in one front, whichever of them meet: a dense factor of 24 rows takes some 5 µs, as much as an order of
 /// elimination for eight contacts.
 /// Set.
