@@ -32,12 +32,14 @@ pub mod conventions;
 pub mod equations;
 #[cfg(feature = "files")]
 pub mod files;
+mod fronts;
 pub mod memory;
 pub mod operator;
 pub mod prelude;
 pub mod problem;
 pub mod solvers;
 pub mod tolerance;
+pub mod watch;
 
 pub use moreau_exact::{Error, Result, scalar};
 /// The linear algebra of the problems, in the version they are written with.

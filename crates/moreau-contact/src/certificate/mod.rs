@@ -51,6 +51,7 @@ pub mod residuals;
 mod residuals_json;
 mod scales;
 pub mod segment;
+mod semidefinite;
 pub mod several;
 pub mod spatial;
 mod step;

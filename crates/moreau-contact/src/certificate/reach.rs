@@ -9,13 +9,14 @@
 //! τ v_k, and every row whose impulse stays has a velocity within τ s_k/ρ_k, what is left solves *exactly* a problem whose given velocities
 //! differ by no more than the sum of these. An impulse that is small by its own size alone says nothing of the kind.
 //!
-//! A linear complementarity problem may have any matrix, and it is always asked there; of contacts where an entry is larger than
-//! those of bodies, |W_ij|² ≤ W_ii W_jj, and never where W is made of mass and Jacobian: see [`ContactProblem::overreaches`]. There it
+//! A linear complementarity problem may have any matrix, and it is always asked there; of contacts where W is not shown to be one of
+//! bodies, by its entries, |W_ij|² ≤ W_ii W_jj, and its definiteness; and never where W is made of mass and Jacobian. There it
 //! moves another contact by no more than τ √(W_jj/W_ii) of its own scale, which is much where a light contact stands beside a heavy one:
 //! then the answer is one for given velocities that differ by as much, and `certify --prove` says by how much.
 
 use super::part::Part;
 use super::scales::Scales;
+use super::semidefinite::is_semidefinite;
 use crate::cones::second_order::{length, tangential_norm};
 use crate::problem::{ContactProblem, Law};
 use std::cell::RefCell;
@@ -32,6 +33,16 @@ pub(super) struct Reach<'a> {
     moved: RefCell<Vec<f64>>,
 }
 
+/// Whether an impulse that is small at its own contact may move another one far; found once.
+///
+/// W is one of bodies where bodies are found in its blocks, or where it has their entries and is positive semidefinite.
+fn overreaches(problem: &ContactProblem) -> bool {
+    problem.overreaches(|| {
+        let (w, rows_per_contact) = (problem.delassus(), problem.rows_per_contact());
+        w.overreaches(rows_per_contact) || (problem.velocity_factor().is_none() && !is_semidefinite(w, rows_per_contact))
+    })
+}
+
 impl<'a> Reach<'a> {
     /// Nothing where W is known to be one of bodies.
     pub fn new(problem: &'a ContactProblem, scales: &'a Scales, [impulse, law_velocity]: [&'a [f64]; 2]) -> Option<Self> {
@@ -42,7 +53,7 @@ impl<'a> Reach<'a> {
     /// itself is asked of the normal row, but where a push is taken away as a whole, `is_whole`, by which a contact that opens does so all
     /// the more or by less than its own scale.
     pub fn of(&self, contact: usize, taken: &[f64], is_whole: bool) -> Part {
-        if taken.iter().all(|d| *d == 0.0) || !self.problem.overreaches() {
+        if taken.iter().all(|d| *d == 0.0) || !overreaches(self.problem) {
             return Part::default();
         }
         let mut moved = self.moved.borrow_mut();

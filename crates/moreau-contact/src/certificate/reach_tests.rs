@@ -1,5 +1,6 @@
 //! Tests of the reach: both sides of its limit under every law, and what an accepted answer is worth where entries of W are of any size.
 
+use super::overreaches;
 use crate::certificate::draw::Draw;
 use crate::certificate::{by_contact, residuals};
 use crate::problem::{ContactProblem, Law, Lcp, Solution};
@@ -72,20 +73,36 @@ fn a_pull_that_counts_as_none_holds_its_own_contact_no_less_than_others() {
 }
 
 #[test]
-fn only_of_entries_that_are_none_of_bodies_is_it_asked() {
+fn only_where_w_is_not_shown_to_be_one_of_bodies_is_it_asked() {
     // one contact of two rows
     let stored = |w: DMatrix<f64>| ContactProblem::new(w, DVector::zeros(2)).rows_per_contact(2).friction(vec![0.0]).build().unwrap();
-    assert!(!stored(dmatrix![1e-20, 1.0; 1.0, 1e20]).overreaches(), "a light contact beside a heavy one");
-    assert!(stored(dmatrix![1e-20, 8.0; 8.0, 1e20]).overreaches());
-    assert!(stored(dmatrix![1.0, 1.0; 0.0, 0.0]).overreaches() && stored(-DMatrix::identity(2, 2)).overreaches());
+    let asked = |w: DMatrix<f64>| overreaches(&stored(w));
+    assert!(!asked(dmatrix![1e-20, 0.5; 0.5, 1e20]) && !asked(dmatrix![1e-20, 1.0; 1.0, 1e20]), "a light contact beside a heavy one");
+    assert!(asked(dmatrix![1e-20, 2.0; 2.0, 1e20]), "with the entries of bodies it is none");
+    assert!(asked(dmatrix![1.0, 8.0; -8.0, 1.0]) && !asked(dmatrix![1.0, 2.0; -2.0, 1.0]), "spinning bodies are asymmetric");
+    assert!(asked(dmatrix![1.0, 1.0; 0.0, 0.0]) && asked(-DMatrix::identity(2, 2)));
     let any = stored(DMatrix::identity(2, 2)).into_builder().of_any_matrix().build().unwrap();
-    assert!(any.overreaches() && any.into_builder().build().unwrap().overreaches(), "what is said of it stays");
+    assert!(overreaches(&any) && overreaches(&any.into_builder().build().unwrap()), "what is said of it stays");
     // of mass and Jacobian nothing is looked at
     let made = ContactProblem::from_dynamics(dmatrix![2.0], dmatrix![1.0; -1.0], &dvector![0.0]).rows_per_contact(1).build().unwrap();
     assert!(!made.may_overreach() && stored(DMatrix::identity(2, 2)).may_overreach());
     assert!(!made.clone().into_builder().build().unwrap().may_overreach());
     let replaced = made.into_builder().delassus(dmatrix![0.0, 1.0; 1.0, 0.0]).build().unwrap();
-    assert!(replaced.overreaches());
+    assert!(overreaches(&replaced));
+}
+
+#[test]
+fn contacts_whose_matrix_is_none_of_bodies_are_judged_as_any_matrix() {
+    // entries of bodies, but not semidefinite: of two contacts that push each other and one that opens fast and holds both
+    let w = dmatrix![1.0, -1.0, 1.0; -1.0, 1.0, 1.0; 1.0, 1.0, 2.0];
+    let problem = |w: &DMatrix<f64>, q: [f64; 3]| {
+        ContactProblem::new(w.clone(), DVector::from_row_slice(&q)).rows_per_contact(1).law(Law::Frictionless).build().unwrap()
+    };
+    let is_accepted = |problem: &ContactProblem, r: [f64; 3]| {
+        residuals(problem, &by_hand(problem, DVector::from_row_slice(&r))).unwrap().is_solution(CERTIFY)
+    };
+    assert!(!is_accepted(&problem(&w, [-1e-3, -1e-3, 1e6]), [0.0, 0.0, 1e-3]), "there is no solution");
+    assert!(is_accepted(&problem(&w, [-1e-3, 1.0, 1e6]), [1e-3, 0.0, 0.0]));
 }
 
 #[test]

@@ -3,13 +3,12 @@
 //! ```text
 //!     J_jk = B_j W_jk + δ_jk A_j
 //! ```
-//! A contact that is open has B = 0: its rows give its own unknowns at once. The others are eliminated by fronts (`multifrontal.rs`). From
+//! A contact that is open has B = 0: its rows give its own unknowns at once. The others are eliminated by fronts (`fronts/`). From
 //! one J to the next a few contacts open and close: the order is kept while all that are closed are in it, and most in it are closed.
 //! Rows are exchanged inside of a front, between fronts they are not: for Newton's method J is a shifted, row-scaled positive semidefinite
 //! W, and what rounding spoils costs a step, not the answer.
 
-use super::elimination_tree::Tree;
-use super::multifrontal::{Factor, Front, Work};
+use crate::fronts::{Factor, Front, Tree, Work};
 use crate::memory::spare::{Spare, spare_entries};
 use crate::operator::{BlockSparse, Lists};
 use crate::tolerance::fronts::ONE_FRONT;

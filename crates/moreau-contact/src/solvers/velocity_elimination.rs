@@ -8,9 +8,8 @@
 //! digits as D has more than 1/W; they are won back by solving for what J leaves of b. W x is Y (Yᵀ x), for Y is much smaller than W.
 
 use super::block_elimination::Slopes;
-use super::elimination_tree::Tree;
-use super::multifrontal::{Factor, Front, Work};
 use super::parts::copy;
+use crate::fronts::{Factor, Front, Tree, Work};
 use crate::memory::spare::Spare;
 use crate::operator::{Lists, VelocityFactor};
 use crate::tolerance::velocities::{REFINED, REFINEMENTS, TRUSTED};

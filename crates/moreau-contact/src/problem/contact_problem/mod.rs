@@ -195,10 +195,11 @@ impl ContactProblem {
         self.islands.get_or(|| Islands::of(&self.delassus, self.contacts()))
     }
 
-    /// Whether an impulse that is small at its own contact may move another one far: some entry of W is larger than any of bodies, or it is
-    /// a linear complementarity problem of any matrix. It is found once, and known from the beginning where W is made of mass and Jacobian.
-    pub(crate) fn overreaches(&self) -> bool {
-        *self.overreaches.get_or(|| self.delassus.overreaches(self.rows_per_contact))
+    /// Whether an impulse that is small at its own contact may move another one far: where W is not shown to be one of bodies, or the
+    /// problem is a linear complementarity problem of any matrix. It is found once, and known from the beginning where W is made of mass
+    /// and Jacobian.
+    pub(crate) fn overreaches(&self, find: impl FnOnce() -> bool) -> bool {
+        *self.overreaches.get_or(find)
     }
 
     /// The same, if it is known.

@@ -9,16 +9,16 @@
 //! # Source
 //! Davis, *Direct methods for sparse linear systems*, SIAM 2006, chapters 4, 6 and 7.
 
-use super::watch;
 use crate::memory;
 use crate::operator::Lists;
 use crate::tolerance::fronts::{NARROW, VAIN};
+use crate::watch;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 /// One front.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Node {
+pub(crate) struct Node {
     /// How many of its groups are pivots.
     pub pivot_groups: usize,
     /// How many rows are pivots.
@@ -31,7 +31,7 @@ pub(super) struct Node {
 
 /// The fronts, children before parents; their memory is used again for another matrix.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Tree {
+pub(crate) struct Tree {
     pub nodes: Vec<Node>,
     /// Of every node the groups of its rows: pivots first, in the order of elimination.
     groups: Lists,
@@ -81,7 +81,7 @@ struct Order {
 impl Tree {
     /// The tree of groups with so many rows each, and the other groups that each meets, growing, in both directions. Where they are those
     /// of the last matrix it stays what it is.
-    pub(super) fn plan(&mut self, rows: &[usize], neighbours: &Lists) {
+    pub(crate) fn plan(&mut self, rows: &[usize], neighbours: &Lists) {
         if self.order.is_planned && self.order.is_of(rows, neighbours) {
             return;
         }
@@ -131,7 +131,7 @@ impl Tree {
     }
 
     /// The tree of few groups, which are not worth an order: all in one front.
-    pub(super) fn plan_one_front(&mut self, rows: &[usize]) {
+    pub(crate) fn plan_one_front(&mut self, rows: &[usize]) {
         self.order.is_planned = false;
         self.begin(rows);
         let (count, size) = (rows.len(), self.starts[rows.len()]);
@@ -154,17 +154,17 @@ impl Tree {
     }
 
     /// The groups of a front.
-    pub(super) fn groups(&self, node: usize) -> &[usize] {
+    pub(crate) fn groups(&self, node: usize) -> &[usize] {
         &self.groups[node]
     }
 
     /// The nodes whose rest is added to this one's front.
-    pub(super) fn children(&self, node: usize) -> &[usize] {
+    pub(crate) fn children(&self, node: usize) -> &[usize] {
         &self.children[node]
     }
 
     /// Where the rows after the pivots of this node stand in its parent's front.
-    pub(super) fn rows_in_parent(&self, node: usize) -> &[usize] {
+    pub(crate) fn rows_in_parent(&self, node: usize) -> &[usize] {
         &self.into_parent[node]
     }
 
@@ -194,7 +194,7 @@ impl Tree {
     }
 
     /// Writes down where each group of a front has its first row.
-    pub(super) fn place_rows(&self, node: usize, local: &mut [usize]) {
+    pub(crate) fn place_rows(&self, node: usize, local: &mut [usize]) {
         let mut at = 0;
         for &group in &self.groups[node] {
             local[group] = at;

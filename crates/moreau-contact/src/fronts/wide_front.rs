@@ -7,8 +7,8 @@
 //! What is stored, where rows are exchanged and what is refused are the same; numbers differ by rounding, for products are summed in
 //! another order.
 
-use super::watch;
 use crate::tolerance::fronts::BETWEEN_LOOKS;
+use crate::watch;
 use faer::dyn_stack::{MemStack, StackReq};
 use faer::linalg::cholesky::llt;
 use faer::linalg::lu::partial_pivoting;
@@ -115,7 +115,7 @@ impl Memory {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solvers::front::{self, own_cholesky, own_lu, tests::matrix};
+    use crate::fronts::front::{self, own_cholesky, own_lu, tests::matrix};
     use nalgebra::DMatrix;
 
     /// Sizes and pivots, around what passes between two looks.

@@ -4,11 +4,11 @@
 //!     factors + the largest front + max over the nodes of what waits for a parent          [entries]
 //! ```
 
-use super::elimination_tree::{Node, Tree};
+use super::tree::{Node, Tree};
 
 /// Numbers that factoring along a tree holds at once.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Need {
+pub(crate) struct Need {
     /// Entries of a factor, L or U.
     pub storage: usize,
     /// Entries of the largest front.
@@ -29,7 +29,7 @@ impl Need {
 
 impl Tree {
     /// What factoring along it holds.
-    pub(super) fn need(&self) -> Need {
+    pub(crate) fn need(&self) -> Need {
         let mut need = Need { storage: self.storage, front: 0, left: 0, waiting: 0 };
         let left = |node: &Node| (node.size - node.pivots).pow(2);
         let mut waiting = 0;

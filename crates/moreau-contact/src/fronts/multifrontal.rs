@@ -9,13 +9,14 @@
 //! # Source
 //! Duff and Reid, *The multifrontal solution of indefinite sparse symmetric linear equations*, ACM Trans. Math. Softw. 9 (1983).
 
-use super::elimination_tree::{Node, Tree};
-use super::{front, watch};
+use super::front;
+use super::tree::{Node, Tree};
 use crate::memory;
 use crate::tolerance::fronts::KEPT;
+use crate::watch;
 
 /// A front that is being assembled.
-pub(super) struct Front<'a> {
+pub(crate) struct Front<'a> {
     pub entries: &'a mut [f64],
     /// Length of a column.
     pub size: usize,
@@ -25,7 +26,7 @@ pub(super) struct Front<'a> {
 
 /// L and U, node by node.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Factor {
+pub(crate) struct Factor {
     is_symmetric: bool,
     /// The pivot columns of every node.
     lower: Vec<f64>,
@@ -39,7 +40,7 @@ pub(super) struct Factor {
 
 /// Memory that factoring and solving use again.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Work {
+pub(crate) struct Work {
     front: Vec<f64>,
     updates: Vec<Vec<f64>>,
     local: Vec<usize>,
@@ -50,7 +51,7 @@ pub(super) struct Work {
 impl Factor {
     /// Factors what `assemble` puts into the front of every node; of a symmetric J the lower triangle. False where a pivot is missing, the
     /// fronts take more memory than is allowed, or whoever watches the solver ended it.
-    pub(super) fn compute(
+    pub(crate) fn compute(
         &mut self,
         tree: &Tree,
         is_symmetric: bool,
@@ -114,7 +115,7 @@ impl Factor {
     ///
     /// # Panics
     /// If x has another size than J.
-    pub(super) fn solve(&self, tree: &Tree, x: &mut [f64], work: &mut Work) {
+    pub(crate) fn solve(&self, tree: &Tree, x: &mut [f64], work: &mut Work) {
         assert_eq!(x.len(), tree.starts[tree.starts.len() - 1], "the right side has one entry per row");
         let part = &mut work.part;
         let mut exchanges = 0;

@@ -9,12 +9,12 @@
 //! the largest pivot among the pivot rows only: what lies below belongs to other fronts. Where faer is compiled in, its kernels do the
 //! same to wide fronts: `wide_front.rs`.
 
-use super::watch;
 #[cfg(feature = "faer")]
 use super::wide_front;
 #[cfg(feature = "faer")]
 use crate::tolerance::fronts::WIDE;
 use crate::tolerance::fronts::{COLUMNS, PANEL, SMALL_PRODUCT, STRIP};
+use crate::watch;
 use nalgebra::{DMatrixView, DMatrixViewMut};
 
 /// What eliminating uses again.
@@ -207,7 +207,7 @@ pub(super) mod tests {
     use super::*;
     use nalgebra::DMatrix;
 
-    pub(in crate::solvers) fn matrix(size: usize, seed: u64) -> DMatrix<f64> {
+    pub(in crate::fronts) fn matrix(size: usize, seed: u64) -> DMatrix<f64> {
         let mut state = seed;
         DMatrix::from_fn(size, size, |_, _| {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);

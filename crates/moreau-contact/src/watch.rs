@@ -64,7 +64,7 @@ pub fn watched<T>(interrupt: &Interrupt, solve: impl FnOnce() -> T) -> (T, Seen)
 }
 
 /// Notes a residual.
-pub(super) fn note(relative: f64) {
+pub(crate) fn note(relative: f64) {
     WATCH.with_borrow_mut(|watch| {
         if let Some(watch) = watch {
             watch.seen.history.push(relative);
@@ -110,6 +110,14 @@ pub fn is_over() -> bool {
     })
 }
 
+/// Runs `work` whose end nobody may hasten: it tells something of the problem, which the time must not decide.
+pub(crate) fn unwatched<T>(work: impl FnOnce() -> T) -> T {
+    let watch = WATCH.replace(None);
+    let result = work();
+    WATCH.replace(watch);
+    result
+}
+
 /// Whether an iteration that is watched was told to end, so that what it gives is not what another run need find.
 /// ```
 /// use moreau_contact::solvers::watch::{Interrupt, is_over, was_over, watched};
@@ -124,13 +132,13 @@ pub fn was_over() -> bool {
 }
 
 #[cfg(test)]
-pub(super) use tests::watched_until;
+pub(crate) use tests::watched_until;
 
 #[cfg(test)]
 mod tests {
-    use super::super::{AlternatingDirections, ContactSolver};
     use super::*;
     use crate::problem::{ContactProblem, Law};
+    use crate::solvers::{AlternatingDirections, ContactSolver};
     use nalgebra::{DMatrix, DVector};
 
     thread_local! {
@@ -138,7 +146,7 @@ mod tests {
     }
 
     /// Gives the word when it was asked for often enough.
-    pub(super) fn count_down() {
+    pub(crate) fn count_down() {
         let left = ASKS.get();
         ASKS.set(left.saturating_sub(usize::from(left != usize::MAX)));
         if left == 0 {
@@ -184,12 +192,12 @@ mod tests {
 
     #[test]
     fn sweeps_and_clarabel_end_at_once_where_the_word_is_given() {
-        use super::super::{ProjectedGaussSeidel, ProjectedOverRelaxation};
+        use crate::solvers::{ProjectedGaussSeidel, ProjectedOverRelaxation};
         let solvers: Vec<Box<dyn ContactSolver>> = vec![
             Box::new(ProjectedGaussSeidel::default()),
             Box::new(ProjectedOverRelaxation::default()),
             #[cfg(feature = "clarabel")]
-            Box::new(super::super::ClarabelPolished),
+            Box::new(crate::solvers::ClarabelPolished),
         ];
         for solver in solvers {
             let interrupt = Interrupt::default();
