@@ -210,7 +210,8 @@ fn problems_and_certificates_know_no_solver() {
     let files = library();
     for (module, others) in [
         ("moreau-contact/problem", &["cones", "contact", "files", "operator"][..]),
-        ("moreau-contact/certificate", &["problem", "cones", "operator"]),
+        ("moreau-contact/certificate", &["problem", "cones", "operator", "fronts", "watch"]),
+        ("moreau-contact/fronts", &["operator", "watch"]),
         ("moreau-contact/operator", &["contact"]),
         ("moreau-contact/cones", &[]),
         ("moreau-contact/files", &[]),

@@ -35,6 +35,8 @@ pub struct Judge {
     scales: Scales,
     law_velocity: Vec<f64>,
     pairs: Pairs,
+    /// Whether it is asked if W is one of bodies as a whole, or by its entries alone.
+    thoroughly: bool,
 }
 
 impl Judge {
@@ -56,6 +58,12 @@ impl Judge {
     /// ```
     pub fn judge(&mut self, problem: &ContactProblem, solution: &Solution) -> Result<Judged> {
         self.scales.prepare(problem);
+        self.thoroughly(|judge| judge.judge_prepared(problem, solution))
+    }
+
+    /// [`Judge::judge`] of an answer on the way: that W is one of bodies is asked of its entries alone, where it is not known.
+    pub(crate) fn look(&mut self, problem: &ContactProblem, solution: &Solution) -> Result<Judged> {
+        self.scales.prepare(problem);
         self.judge_prepared(problem, solution)
     }
 
@@ -67,17 +75,19 @@ impl Judge {
         remembered::recall(problem, solution).map_or_else(|| self.judge(problem, solution), Ok)
     }
 
-    /// [`Judge::judge`] of another answer to the problem that was prepared last.
+    /// [`Judge::look`] at another answer to the problem that was prepared last.
     pub(crate) fn judge_prepared(&mut self, problem: &ContactProblem, solution: &Solution) -> Result<Judged> {
         let judged = self.judge_unheld(problem, solution, Unheld::default())?;
-        remembered::remember(problem, solution, judged);
+        if self.thoroughly || problem.known_overreach().is_some() {
+            remembered::remember(problem, solution, judged);
+        }
         Ok(judged)
     }
 
     /// [`Judge::judge`] of contacts whose given velocities are what joints leave of others.
     pub(super) fn judge_held(&mut self, problem: &ContactProblem, solution: &Solution, unheld: Unheld) -> Result<Judged> {
         self.scales.prepare(problem);
-        self.judge_unheld(problem, solution, unheld)
+        self.thoroughly(|judge| judge.judge_unheld(problem, solution, unheld))
     }
 
     /// [`Judge::judge`], which shows every residual: its contact, its place in [`Judged::entries`], and the residual. A contact that is
@@ -89,11 +99,18 @@ impl Judge {
         mut see: impl FnMut(usize, usize, Part),
     ) -> Result<Judged> {
         self.scales.prepare(problem);
-        let judged = self.judge_shown(problem, solution, Unheld::default(), &mut see)?;
+        let judged = self.thoroughly(|judge| judge.judge_shown(problem, solution, Unheld::default(), &mut see))?;
         self.each_stored(problem, solution, |contact, at, value, floor| {
             see(contact, 5, Part { value, scale: self.scales.velocities(contact)[at.min(1)], floor });
         });
         Ok(judged)
+    }
+
+    fn thoroughly(&mut self, judge: impl FnOnce(&mut Self) -> Result<Judged>) -> Result<Judged> {
+        self.thoroughly = true;
+        let judged = judge(self);
+        self.thoroughly = false;
+        judged
     }
 
     fn judge_unheld(&mut self, problem: &ContactProblem, solution: &Solution, unheld: Unheld) -> Result<Judged> {
@@ -179,7 +196,7 @@ impl Judge {
         let (law, impulse) = (problem.law(), solution.impulse.as_slice());
         self.scales.set_sizes(problem, impulse, law_velocity);
         let mut judged = Judged { loaded: self.scales.loaded(impulse), ..Default::default() };
-        let reach = Reach::new(problem, &self.scales, [impulse, law_velocity]);
+        let reach = Reach::new(problem, &self.scales, [impulse, law_velocity], self.thoroughly);
         let [impulses, velocities, floors] = [impulse, law_velocity, &self.scales.floors[..]].map(|numbers| numbers.as_chunks::<ROWS>().0);
         let answer = impulses.iter().zip(velocities).zip(floors).zip(problem.friction());
         // nearly all contacts have one μ
@@ -244,13 +261,14 @@ fn second_order<const ROWS: usize>(law: Law, [r, y]: [&[f64; ROWS]; 2], here: &H
     let penetrating = Part { value: at_least(0.0, -w), ..velocity };
     let pressing = (s_n * w.abs()).max(s_n.max(r[0].abs()) * s_n / rho);
     let product = Part { value: (r[0] * w).abs(), scale: pressing, floor: r[0].abs() * floor };
-    let opens = r[0] < 0.0 || w > floor;
-    let reach = if opens { here.reach(|| in_space(r), true) } else { Part::default() };
+    let pushing = Part { value: r[0].abs(), scale: s_i, floor: rounding };
+    let counts_as_none = r[0] < 0.0 || (w > floor && velocity.times(rho).exceeds(&pushing));
+    let reach = if counts_as_none { here.reach(|| in_space(r), true) } else { Part::default() };
     AtContact {
         primal: outside,
         dual: nan_kept(penetrating, w).times(here.steepness),
         complementarity: product.worse(if law == Law::Frictionless { Part::default() } else { rounded }),
-        normal: pair([r[0], w], Part { value: r[0].abs(), scale: s_i, floor: rounding }.worse(reach), velocity.times(rho)),
+        normal: pair([r[0], w], pushing.worse(reach), velocity.times(rho)),
         tangential: friction(mu, [r, y], here),
     }
 }

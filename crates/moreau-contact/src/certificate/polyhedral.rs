@@ -133,8 +133,9 @@ impl Members {
         let size = (self.impulse * w.abs()).max(self.impulse.max(z.abs()) * self.velocity);
         let product = Part { value: (z * w).abs(), scale: size, floor: z.abs() * self.floor };
         at.complementarity = at.complementarity.worse(product);
-        let opens = z < 0.0 || w > self.floor;
-        pair([z, w], if opens { impulse.worse(reach(z)) } else { impulse }, velocity.times(self.rho))
+        let velocity = velocity.times(self.rho);
+        let counts_as_none = z < 0.0 || (w > self.floor && velocity.exceeds(&impulse));
+        pair([z, w], if counts_as_none { impulse.worse(reach(z)) } else { impulse }, velocity)
     }
 }
 

@@ -29,31 +29,32 @@ pub(super) struct Reach<'a> {
     pub impulse: &'a [f64],
     /// y \[m/s\].
     pub law_velocity: &'a [f64],
+    /// Whether W is looked at as a whole, or by its entries alone.
+    thoroughly: bool,
     /// W d \[m/s\].
     moved: RefCell<Vec<f64>>,
 }
 
-/// Whether an impulse that is small at its own contact may move another one far; found once.
-///
-/// W is one of bodies where bodies are found in its blocks, or where it has their entries and is positive semidefinite.
+/// Whether an impulse that is small at its own contact may move another one far: W is one of bodies where it has their entries, and
+/// bodies are found in its blocks or it is positive semidefinite.
 fn overreaches(problem: &ContactProblem) -> bool {
-    problem.overreaches(|| {
-        let (w, rows_per_contact) = (problem.delassus(), problem.rows_per_contact());
-        w.overreaches(rows_per_contact) || (problem.velocity_factor().is_none() && !is_semidefinite(w, rows_per_contact))
-    })
+    let find =
+        |problem: &ContactProblem| problem.velocity_factor().is_some() || is_semidefinite(problem.delassus(), problem.rows_per_contact());
+    problem.overreaches() || !problem.is_semidefinite(find)
 }
 
 impl<'a> Reach<'a> {
-    /// Nothing where W is known to be one of bodies.
-    pub fn new(problem: &'a ContactProblem, scales: &'a Scales, [impulse, law_velocity]: [&'a [f64]; 2]) -> Option<Self> {
-        problem.may_overreach().then(|| Reach { problem, scales, impulse, law_velocity, moved: RefCell::default() })
+    /// Nothing where W is known to be one of bodies; not `thoroughly`, where it has their entries.
+    pub fn new(problem: &'a ContactProblem, scales: &'a Scales, [impulse, law_velocity]: [&'a [f64]; 2], thoroughly: bool) -> Option<Self> {
+        let reach = || Reach { problem, scales, impulse, law_velocity, thoroughly, moved: RefCell::default() };
+        (problem.known_overreach() != Some(false)).then(reach)
     }
 
     /// The part d of the impulse of a contact, as an impulse \[N·s\]; 0 where it moves nothing above rounding. What it moves at the contact
     /// itself is asked of the normal row, but where a push is taken away as a whole, `is_whole`, by which a contact that opens does so all
     /// the more or by less than its own scale.
     pub fn of(&self, contact: usize, taken: &[f64], is_whole: bool) -> Part {
-        if taken.iter().all(|d| *d == 0.0) || !overreaches(self.problem) {
+        if taken.iter().all(|d| *d == 0.0) || !self.is_asked() {
             return Part::default();
         }
         let mut moved = self.moved.borrow_mut();
@@ -74,6 +75,10 @@ impl<'a> Reach<'a> {
         }
         let value = length(taken[0], tangential_norm(taken));
         Part { value, scale: value * (farthest.scale / farthest.value), floor: value * (farthest.floor / farthest.value) }
+    }
+
+    fn is_asked(&self) -> bool {
+        if self.thoroughly { overreaches(self.problem) } else { self.problem.overreaches() }
     }
 
     /// What the velocity W d of contact k is held against, along its normal and along its tangents.

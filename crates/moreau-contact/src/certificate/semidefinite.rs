@@ -9,12 +9,16 @@
 
 use crate::fronts::{Factor, Front, Tree, Work};
 use crate::operator::{BlockSparse, Lists, Operator};
-use crate::tolerance::certificate::gamma;
+use crate::tolerance::certificate::{LARGEST_ASKED, gamma};
 use crate::watch;
 
-/// Whether that is shown; where the factor takes more memory than is allowed it is not. Nobody's word ends it early.
+/// Whether that is shown; of more rows than [`LARGEST_ASKED`], and where the factor takes more memory than is allowed, it is not. Nobody's
+/// word ends it early.
 pub(super) fn is_semidefinite(w: &Operator, rows_per_contact: usize) -> bool {
     let rows = w.shape()[0];
+    if rows > LARGEST_ASKED {
+        return false;
+    }
     let groups = vec![rows_per_contact; rows / rows_per_contact.max(1)];
     let lift = rows as f64 * gamma(2 * rows + 8);
     let sparse = if let Operator::Dense(dense) = w { BlockSparse::of_dense(dense, rows_per_contact) } else { None };

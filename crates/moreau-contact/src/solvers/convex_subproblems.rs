@@ -130,13 +130,13 @@ fn subproblem(
     let newton = NonsmoothNewton { starts: 1, ..Default::default() };
     let near = newton.solve(&convex, Some(start))?;
     let mut judge = Judge::default();
-    let reached = judge.judge(&convex, &near)?.relative();
+    let reached = judge.look(&convex, &near)?.relative();
     if reached <= tolerance::ACCEPTABLE {
         return Ok((convex, near.impulse));
     }
     let inner = InteriorPoint::default().solve(&convex, None)?;
     let ended = newton.solve(&convex, Some(&inner.impulse))?;
-    let better = judge.judge(&convex, &ended)?.relative() < reached;
+    let better = judge.look(&convex, &ended)?.relative() < reached;
     Ok((convex, if better { ended.impulse } else { near.impulse }))
 }
 

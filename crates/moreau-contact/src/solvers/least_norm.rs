@@ -51,7 +51,7 @@ pub fn least_norm(problem: &ContactProblem, solution: &Solution) -> Result<Solut
         return Err(Error::Unsupported(format!("impulses of least norm are not chosen under the law `{}`", problem.law().name())));
     }
     let mut judge = Judge::default();
-    if judge.judge(problem, solution)?.relative() > CERTIFY {
+    if judge.look(problem, solution)?.relative() > CERTIFY {
         return Err(Error::breakdown(NAME, "begins from an answer that is no solution; give a better one"));
     }
     let n = problem.rows();
@@ -62,7 +62,7 @@ pub fn least_norm(problem: &ContactProblem, solution: &Solution) -> Result<Solut
     let (impulse, steps) = dual_newton(&a, &(&a * &solution.impulse), &allowed, problem.rows_per_contact());
     let velocity = problem.velocity(&impulse);
     let found = Solution { impulse, velocity, iterations: solution.iterations + steps, beta: None, sigma: None, ..solution.clone() };
-    if judge.judge(problem, &found)?.relative() > CERTIFY {
+    if judge.look(problem, &found)?.relative() > CERTIFY {
         let reason =
             "found none with this velocity: rows are too nearly dependent, or the answer is too rough; use a smaller `--tolerance`";
         return Err(Error::breakdown(NAME, reason));

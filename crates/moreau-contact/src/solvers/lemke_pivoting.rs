@@ -89,12 +89,12 @@ impl LemkePivoting {
 /// The answer at the end of a path, or Newton's from there, whichever has the smaller relative residual.
 fn best_of(form: Form, problem: &ContactProblem, (z, pivots): (DVector<f64>, usize), judge: &mut Judge) -> Result<(f64, Solution)> {
     let answer = form.solution(problem, &z, NAME, pivots);
-    let relative = judge.judge(problem, &answer)?.relative();
+    let relative = judge.look(problem, &answer)?.relative();
     if relative <= ENOUGH {
         return Ok((relative, answer));
     }
     let Ok(finished) = finished(form, problem, &answer) else { return Ok((relative, answer)) };
-    let finer = judge.judge(problem, &finished)?.relative();
+    let finer = judge.look(problem, &finished)?.relative();
     Ok(if finer < relative { (finer, finished) } else { (relative, answer) })
 }
 

@@ -87,7 +87,7 @@ impl ContactSolver for ProximalNewton {
             let around = watch::unnoted(|| newton.solve_with(&softer, Some(&centre), systems.as_mut()))?;
             // a point that needs no step is the end of what this α moves
             steps += around.iterations.max(1);
-            let has_ended = judge.judge(&softer, &around)?.relative() <= left;
+            let has_ended = judge.look(&softer, &around)?.relative() <= left;
             let moved = stopping.relative(&around.impulse, &problem.law_velocity(&around.impulse));
             if moved < best.0 {
                 best = (moved, around.impulse.clone());

@@ -68,7 +68,7 @@ impl Workspace {
     /// [`Workspace::relative`] with velocities that are computed already.
     pub fn relative_as_it_is(&mut self, problem: &ContactProblem) -> f64 {
         let Workspace { judge, answer, .. } = self;
-        let judged = judge.judge(problem, answer).map_or(f64::INFINITY, |judged| judged.relative());
+        let judged = judge.look(problem, answer).map_or(f64::INFINITY, |judged| judged.relative());
         if judged.is_nan() { f64::INFINITY } else { judged }
     }
 

@@ -39,6 +39,11 @@ pub const COUPLED: f64 = 1.0 / 67_108_864.0;
 /// Required: of every answer that is accepted, by the users of `moreau certify`.
 pub const CERTIFY: f64 = 1e-8;
 
+/// Rows of a W given alone up to which it is asked whether it is positive semidefinite: some 10⁴ contacts of a pile, a few seconds. A
+/// larger one in whose blocks no bodies are found is judged as any matrix is, which refuses more.
+/// Set.
+pub const LARGEST_ASKED: usize = 1 << 15;
+
 /// Four times. An entry of W that is larger than this, relative to √(W_ii W_jj), is none of bodies, whose most is 1: rounding and asymmetry
 /// of spinning bodies stay far below it. It decides only whether an impulse that is small at its own contact is asked what it moves
 /// elsewhere; what it may move does not depend on it.

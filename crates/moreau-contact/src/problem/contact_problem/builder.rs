@@ -252,7 +252,8 @@ impl ContactProblemBuilder {
     }
 
     /// W is any matrix, as of a linear complementarity problem, and no Delassus operator: an impulse that is small by its own size may
-    /// carry another row, and the certificate asks for that. Where it is not said, entries that are too large for bodies tell.
+    /// carry another row, and the certificate asks for that. Where it is not said, entries that are too large for bodies tell, or that
+    /// W is not positive semidefinite.
     pub fn of_any_matrix(self) -> Self {
         self.overreaching(Some(true))
     }
@@ -325,6 +326,7 @@ impl ContactProblemBuilder {
             weights: Once::default(),
             islands: Once::default(),
             overreaches: self.overreaches.map_or_else(Once::default, Once::known),
+            semidefinite: self.overreaches.map_or_else(Once::default, |overreaches| Once::known(!overreaches)),
             velocity_factor: Once::default(),
             written_out: Once::default(),
             number: Number::default(),

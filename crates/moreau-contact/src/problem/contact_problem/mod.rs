@@ -83,6 +83,7 @@ pub struct ContactProblem {
     weights: Once<Weights>,
     islands: Once<Islands>,
     overreaches: Once<bool>,
+    semidefinite: Once<bool>,
     velocity_factor: Once<Option<VelocityFactor>>,
     written_out: Once<Option<Dynamics>>,
     number: Number,
@@ -195,21 +196,23 @@ impl ContactProblem {
         self.islands.get_or(|| Islands::of(&self.delassus, self.contacts()))
     }
 
-    /// Whether an impulse that is small at its own contact may move another one far: where W is not shown to be one of bodies, or the
-    /// problem is a linear complementarity problem of any matrix. It is found once, and known from the beginning where W is made of mass
-    /// and Jacobian.
-    pub(crate) fn overreaches(&self, find: impl FnOnce() -> bool) -> bool {
-        *self.overreaches.get_or(find)
+    /// Whether some entry of W is larger than those of bodies, or it is said to be any matrix; found once.
+    pub(crate) fn overreaches(&self) -> bool {
+        *self.overreaches.get_or(|| self.delassus.overreaches(self.rows_per_contact))
     }
 
-    /// The same, if it is known.
+    /// Whether W is positive semidefinite as `find` says, which is asked once; known where W is made of mass and Jacobian.
+    pub(crate) fn is_semidefinite(&self, find: impl FnOnce(&Self) -> bool) -> bool {
+        *self.semidefinite.get_or(|| find(self))
+    }
+
+    /// Whether an impulse that is small at its own contact may move another one far, where that is known: no, of bodies.
     pub(crate) fn known_overreach(&self) -> Option<bool> {
-        self.overreaches.get().copied()
-    }
-
-    /// Whether that is so, or not known yet.
-    pub(crate) fn may_overreach(&self) -> bool {
-        self.overreaches.get() != Some(&false)
+        match [&self.overreaches, &self.semidefinite].map(Once::get) {
+            [Some(true), _] | [_, Some(false)] => Some(true),
+            [Some(false), Some(true)] => Some(false),
+            _ => None,
+        }
     }
 
     /// W = Y Yᵀ by bodies, found once: from the mechanism or the bodies where they are known, else from the blocks of W; `None` where they

@@ -27,7 +27,7 @@ pub(super) fn and_points(problem: &ContactProblem, stop: f64) -> Result<Solution
 /// So many proximal points from what interior points have found, where those fail Fischer and Burmeister's equations, and where those fail
 /// many points.
 fn told_apart(problem: &ContactProblem, begun: &Solution, few: usize, stop: f64) -> Result<Solution> {
-    let relative = |solution: &Solution| Judge::default().judge(problem, solution).map(|judged| judged.relative());
+    let relative = |solution: &Solution| Judge::default().look(problem, solution).map(|judged| judged.relative());
     let near = NEAR.max(stop);
     let points = through_points(problem, begun, few, stop)?;
     let reached = relative(&points)?;

@@ -168,7 +168,7 @@ fn chain(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal
     if is_decided || !problem.is_frictionless() || super::watch::is_over() {
         return found;
     }
-    let relative = |solution: &Solution| Judge::default().judge(problem, solution).map(|judged| judged.relative());
+    let relative = |solution: &Solution| Judge::default().look(problem, solution).map(|judged| judged.relative());
     let reached = found.as_ref().map_or(Ok(f64::INFINITY), relative)?;
     let reached = if reached.is_nan() { f64::INFINITY } else { reached };
     let Some(normals) = (reached > goal.acceptable).then(|| problem.normal_rows()).transpose()?.flatten() else {

@@ -11,7 +11,7 @@ pub(super) const MOST: usize = DIRECT_CONTACTS;
 
 /// The largest relative residual of the certificate; infinite where it is not a number.
 pub(super) fn relative(problem: &ContactProblem, solution: &Solution) -> f64 {
-    let judged = workspace::borrow(problem).judge.judge(problem, solution).map_or(f64::INFINITY, |judged| judged.relative());
+    let judged = workspace::borrow(problem).judge.look(problem, solution).map_or(f64::INFINITY, |judged| judged.relative());
     if judged.is_nan() { f64::INFINITY } else { judged }
 }
 

@@ -48,7 +48,7 @@ fn a_definite_problem_without_friction_has_the_answer_of_principal_pivoting_and_
         let found = solved(&problem).expect("a P-matrix");
         let expected = pivoted(&Lcp::new(matrix, vector));
         assert!((&found.impulse - expected).amax() <= CERTIFY, "{trial}");
-        assert_eq!(Judge::default().judge(&problem, &found).expect("sizes fit").relative(), 0.0, "{trial}: what is not asked is 0");
+        assert_eq!(Judge::default().look(&problem, &found).expect("sizes fit").relative(), 0.0, "{trial}: what is not asked is 0");
         let blocks = BlockSparse::from_sparse(&Sparse::of(problem.dense()), 1).expect("one row each");
         let stored = problem.clone().into_builder().delassus(blocks).build().expect("the same numbers");
         assert_eq!(solved(&stored).expect("the same numbers").impulse, found.impulse, "{trial}");
@@ -97,7 +97,7 @@ fn problems_that_newton_min_does_not_end_are_ended_by_the_path() {
     ] {
         let problem = lcp(matrix, vector);
         let found = solved(&problem).expect("Lemke's path ends at a solution");
-        assert_eq!((found.solver.as_str(), Judge::default().judge(&problem, &found).expect("sizes fit").relative()), ("lemke", 0.0));
+        assert_eq!((found.solver.as_str(), Judge::default().look(&problem, &found).expect("sizes fit").relative()), ("lemke", 0.0));
     }
     // on a ray there is nothing, and the longer chain begins
     assert_eq!(solved(&lcp(dmatrix![0.0, -1.0; 1.0, 0.0], dvector![-1.0, -1.0])), None);
@@ -107,7 +107,7 @@ fn problems_that_newton_min_does_not_end_are_ended_by_the_path() {
 fn an_answer_in_which_rounding_hides_the_data_is_not_taken_for_exact() {
     // z = (10¹², 10¹² − ½): w₂ is the difference of two such numbers, of which rounding leaves more than 10⁻⁵ of the data
     let problem = lcp(dmatrix![1.0 / 1e12, 0.0; -1.0, 1.0], dvector![-1.0, 0.5]);
-    let found = solved(&problem).map(|found| Judge::default().judge(&problem, &found).expect("sizes fit").relative());
+    let found = solved(&problem).map(|found| Judge::default().look(&problem, &found).expect("sizes fit").relative());
     assert!(found.is_none_or(|relative| relative <= ENOUGH), "{found:?}");
 }
 
@@ -116,7 +116,7 @@ fn a_shift_that_cancels_the_free_velocity_is_left_to_the_certificate() {
     // q = −1 is the difference of two numbers of 10¹⁰, of which rounding leaves more than 10⁻⁵
     let builder = lcp(dmatrix![1.0], dvector![1e10]).into_builder().shift(dvector![-1e10 - 1.0]);
     let problem = builder.build().expect("sizes fit");
-    let found = solved(&problem).map(|found| Judge::default().judge(&problem, &found).expect("sizes fit").relative());
+    let found = solved(&problem).map(|found| Judge::default().look(&problem, &found).expect("sizes fit").relative());
     assert!(found.is_none_or(|relative| relative <= ENOUGH), "{found:?}");
 }
 
@@ -142,7 +142,7 @@ fn friction_is_solved_to_the_same_velocity_as_by_alternating_directions() {
         let Some(found) = solved(&problem) else { continue };
         answered += 1;
         by_newton += usize::from(found.solver == "nonsmooth-newton");
-        let relative = Judge::default().judge(&problem, &found).expect("sizes fit").relative();
+        let relative = Judge::default().look(&problem, &found).expect("sizes fit").relative();
         assert!(relative <= ENOUGH, "{trial}: {relative}");
         let other = AlternatingDirections::default().solve(&problem, None).expect("symmetric");
         assert!((&other.velocity - &found.velocity).amax() <= CERTIFY, "{trial}");
@@ -165,7 +165,7 @@ fn redundant_contacts_and_other_laws_are_answered_rightly_or_left_to_the_chain()
             let found = solved(&problem);
             assert!(found.is_none() || matches!(law, Law::Frictionless | Law::Coulomb), "{law:?}");
             for answer in found.iter().chain(&Auto.solve(&problem, None)) {
-                let relative = Judge::default().judge(&problem, answer).expect("sizes fit").relative();
+                let relative = Judge::default().look(&problem, answer).expect("sizes fit").relative();
                 assert!(relative <= ENOUGH, "{law:?} {sideways} {turning}: {relative}");
             }
         }
