@@ -3,6 +3,7 @@
 mod atomic;
 mod schema;
 mod text;
+mod words;
 
 pub use atomic::{is_same_file, write_atomically, write_together};
 pub use schema::{read_object, read_schema, schema_of};

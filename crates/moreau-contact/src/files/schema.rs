@@ -1,5 +1,6 @@
 //! JSON in: errors that name the field, and files with a schema name.
 
+use super::words::{self, Told};
 use moreau_exact::{Error, Result};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -83,7 +84,11 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error, path: Option<&
         let problem = format!("holds lists and objects within each other too deep to be read: {error}");
         (problem, format!("nest at most {DEEPEST} of them, the whole file counted"))
     } else if error.classify() == Category::Syntax {
-        (format!("not valid JSON: {error}"), cure_of_syntax(word_at(text, error.line(), error.column())))
+        let said = error.to_string().replace("expected ident", "a word that JSON does not have");
+        (format!("not valid JSON: {said}"), cure_of_syntax(word_at(text, error.line(), error.column())))
+    } else if let Some(Told { problem, cure }) = words::told(&without_place(&error)) {
+        let place = format!("at line {} column {}", error.line(), error.column());
+        (format!("{problem}, {place}"), format!("{cure}; see the schema {schema}"))
     } else {
         let meant = nearest(&error.to_string()).map_or(String::new(), |known| format!("did you mean `{known}`? "));
         (error.to_string(), format!("{meant}see the schema {schema}"))
@@ -94,6 +99,12 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error, path: Option<&
         None if error.classify() == Category::Syntax => Error::Unsupported(format!("{problem}; one object in braces is a whole file")),
         None => Error::Json(error),
     }
+}
+
+/// The message of an error before the place that it ends with.
+fn without_place(error: &serde_json::Error) -> String {
+    let (said, place) = (error.to_string(), format!(" at line {} column {}", error.line(), error.column()));
+    said.strip_suffix(&place).map_or(said.clone(), String::from)
 }
 
 /// Lists and objects within each other that the reader of JSON takes.
@@ -204,7 +215,7 @@ mod tests {
 
     #[test]
     fn errors_name_the_field() {
-        assert!(message(r#"{"schema":"pair/1","first":[1,"x"],"second":2}"#).contains("field `first[1]`: invalid type"));
+        assert!(message(r#"{"schema":"pair/1","first":[1,"x"],"second":2}"#).contains("field `first[1]`: is the text \"x\", at line 1"));
         assert!(message("{\"schema\":\"pair/1\",\n\"first\":[1],\n\"second\": 1e999}").contains("`second`"));
         assert!(message(r#"{"schema":"pair/1","first":[1],"secnd":2}"#).contains("field `secnd`: unknown"));
         assert!(message(r#"{"schema":"pair/1","first":[1],"secnd":2}"#).contains("did you mean `second`? see the schema"));
@@ -258,7 +269,7 @@ mod tests {
         let more = read_schema::<Pairs>(&of("[[1,2],[3,4,5]]"), "pairs/1").unwrap_err().to_string();
         assert!(more.contains("field `two[1]") && more.contains("an entry too many") && !more.contains("trailing"), "{more}");
         let fewer = read_schema::<Pairs>(&of("[[1,2],[3]]"), "pairs/1").unwrap_err().to_string();
-        assert!(fewer.contains("field `two[1]") && fewer.contains("expected an array of length 2"), "{fewer}");
+        assert!(fewer.contains("field `two[1]") && fewer.contains("give a list of 2 entries"), "{fewer}");
     }
 
     #[test]
