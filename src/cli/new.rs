@@ -145,13 +145,15 @@ fn engine(language: Language) -> Skeleton {
 
 /// The file, or standard output; what to do with it on standard error.
 fn write(skeleton: &Skeleton, out: Option<&Path>) -> Result<Answer> {
-    outputs::require("--out", out, skeleton.content)?;
     match out {
         Some(file) if file.exists() => {
             let problem = format!("is {}, which is there already", file.display());
             return Err(Error::invalid("--out", problem, "name another file, or remove this one"));
         }
-        Some(file) => write_atomically(file, skeleton.text.as_bytes())?,
+        Some(file) => {
+            outputs::require("--out", out, skeleton.content)?;
+            write_atomically(file, skeleton.text.as_bytes())?;
+        }
         None => print(&skeleton.text)?,
     }
     let name = out.map_or("FILE".into(), |file| file.display().to_string());

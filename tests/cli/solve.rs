@@ -238,9 +238,9 @@ fn an_answer_of_a_time_limit_is_marked() {
 fn a_solver_that_the_time_limit_leaves_without_an_answer_is_marked_too() {
     let folder = Folder::new("solve-time-none");
     let problem = folder.file("plate.json", &super::limits::plate(512));
-    let answers = folder.path("answers");
+    let (answers, answer) = (folder.path("answers"), folder.path("answer.json"));
     let words = ["--solver", "admm", "--time-limit", "1e-9", "--format", "json"];
-    let alone = moreau(&[&["solve", &problem, "--out", &folder.path("answer.json")], &words[..]].concat());
+    let alone = moreau(&[&["solve", &problem, "--out", &answer], &words[..]].concat());
     let several = moreau(&[&["solve", &folder.path(""), "--out", &answers], &words[..]].concat());
     let line = &several.json()["problems"][0];
     for (run, json) in [(&alone, &alone.json()), (&several, line)] {
@@ -249,7 +249,7 @@ fn a_solver_that_the_time_limit_leaves_without_an_answer_is_marked_too() {
     let run = moreau(&["solve", &problem, "--solver", "admm", "--time-limit", "1e-9"]);
     assert!(run.code == 1 && run.message.contains("ended by the time limit"), "{}", run.message);
     // what is refused, with or without a limit, is refused again
-    let run = moreau(&["solve", &problem, "--solver", "apgd", "--time-limit", "1e5", "--format", "json", "--out", &answers]);
+    let run = moreau(&["solve", &problem, "--solver", "apgd", "--time-limit", "1e5", "--format", "json", "--out", &answer]);
     assert!(run.json()["status"] == "refused" && run.json().get("reproducible").is_none(), "{}", run.output);
 }
 

@@ -1,6 +1,6 @@
 //! JSON in: errors that name the field, and files with a schema name.
 
-use super::words::{self, Told};
+use super::words::{Told, told};
 use moreau_exact::{Error, Result};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -74,7 +74,8 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error, path: Option<&
     }
     let goes_on = error.to_string().starts_with("trailing characters");
     // what stands after a whole file is no JSON; after what a list has room for it is
-    let is_list_too_long = goes_on && serde_json::from_str::<serde_json::Value>(text).is_ok();
+    let is_json = || serde_json::from_str::<serde_json::Value>(text).is_ok();
+    let is_list_too_long = goes_on && is_json();
     let (problem, cure) = if is_list_too_long {
         let place = format!("at line {} column {}", error.line(), error.column());
         (format!("holds a list with an entry too many {place}"), format!("take it out, or see the schema {schema}"))
@@ -83,10 +84,14 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error, path: Option<&
     } else if error.to_string().starts_with("recursion limit") {
         let problem = format!("holds lists and objects within each other too deep to be read: {error}");
         (problem, format!("nest at most {DEEPEST} of them, the whole file counted"))
+    } else if error.to_string().starts_with("expected value") && is_json() {
+        // the reader says so of a number where it takes a word or an object
+        let place = format!("at line {} column {}", error.line(), error.column());
+        (format!("is no value that can stand there, {place}"), format!("give what the schema {schema} has there"))
     } else if error.classify() == Category::Syntax {
         let said = error.to_string().replace("expected ident", "a word that JSON does not have");
         (format!("not valid JSON: {said}"), cure_of_syntax(word_at(text, error.line(), error.column())))
-    } else if let Some(Told { problem, cure }) = words::told(&without_place(&error)) {
+    } else if let Some(Told { problem, cure }) = told(&without_place(&error)) {
         let place = format!("at line {} column {}", error.line(), error.column());
         (format!("{problem}, {place}"), format!("{cure}; see the schema {schema}"))
     } else {

@@ -5,16 +5,17 @@
 //! ```
 
 /// What is wrong with a value, and what would be right.
-#[derive(Debug, PartialEq)]
-pub(super) struct Told {
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Told {
     /// What it is.
-    pub(super) problem: String,
+    pub problem: String,
     /// What to give instead.
-    pub(super) cure: String,
+    pub cure: String,
 }
 
-/// A message without its place in plain words; nothing where it is plain already.
-pub(super) fn told(message: &str) -> Option<Told> {
+/// A message without its place in plain words; nothing where it is plain already. Readers of other formats than JSON have the same messages.
+pub fn told(message: &str) -> Option<Told> {
     if message.starts_with("data did not match any variant") {
         let cure = "give one of the kinds that the schema has";
         return Some(Told { problem: "is of none of the kinds that there are".into(), cure: cure.into() });
