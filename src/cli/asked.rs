@@ -1,5 +1,6 @@
 //! A solver that knows whether it was asked: some schemes have an iteration of their own.
 
+use super::posed::in_name_of;
 use crate::Result;
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::solvers::ContactSolver;
@@ -51,6 +52,6 @@ impl ContactSolver for Asked<'_> {
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         self.asked.store(true, Ordering::Relaxed);
-        self.solver.solve(problem, warm_start)
+        self.solver.solve(problem, warm_start).map_err(|error| in_name_of(self.solver.name(), error))
     }
 }

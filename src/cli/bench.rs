@@ -5,7 +5,7 @@ use super::output::{print, table};
 use super::posed::{self, answer_of};
 use super::problem_law::LawOption;
 use super::solver_options::ToleranceOption;
-use super::{Answer, Format, progress, several, solver_table};
+use super::{Answer, Format, number, progress, several, solver_table};
 use crate::files::write_atomically;
 use crate::number::significant;
 use crate::problem::{Posed, Solution};
@@ -35,10 +35,10 @@ pub struct Arguments {
     #[command(flatten)]
     tolerance: ToleranceOption,
     /// Time to spend on repeating one measurement [s].
-    #[arg(long, default_value_t = 0.2, value_name = "SECONDS", allow_hyphen_values = true)]
+    #[arg(long, default_value_t = 0.2, value_parser = number::seconds, value_name = "SECONDS", allow_hyphen_values = true)]
     repeat: f64,
     /// Solve this often instead, whatever the time.
-    #[arg(long, value_name = "NUMBER", conflicts_with = "repeat")]
+    #[arg(long, value_parser = number::count, value_name = "NUMBER", conflicts_with = "repeat", allow_negative_numbers = true)]
     solves: Option<usize>,
     /// Write every answer into this folder, a solution/1 named after problem and solver.
     #[arg(long, value_name = "FOLDER")]
@@ -57,7 +57,8 @@ Examples:
 
 Exit code 0: every problem was solved by some solver, or has no solution, as is proved; 1: some was not solved, by solvers
 that refuse its law, too; 2: a file cannot be read, or what it says needs more memory than is allowed; the others are
-measured all the same.";
+measured all the same. A proved absence of solutions is no failure of a solver, so that it counts as 0 here; to
+`moreau solve`, which is asked for answers, it is 1.";
 
 /// What the columns and the lines below them are.
 fn explained() -> String {

@@ -2,7 +2,7 @@
 
 use super::limits::default_tolerance;
 use super::output::print_aside;
-use super::{Answer, limits};
+use super::{Answer, limits, number};
 use crate::Result;
 use crate::schemes::Certified;
 use crate::solvers::ContactSolver;
@@ -11,7 +11,7 @@ use crate::solvers::ContactSolver;
 #[derive(clap::Args)]
 pub struct CertificateOptions {
     /// Largest residual of a step that is accepted, relative to the scale of its contact.
-    #[arg(long, default_value = default_tolerance(), value_name = "NUMBER", allow_hyphen_values = true)]
+    #[arg(long, default_value = default_tolerance(), value_parser = number::real, value_name = "NUMBER", allow_hyphen_values = true)]
     certify_tolerance: f64,
     /// End with exit code 0 and a warning although the certificate rejects steps.
     #[arg(long)]

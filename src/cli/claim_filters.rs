@@ -14,7 +14,7 @@ pub struct Filters {
     filter: Option<String>,
     /// Only this section of the chapter, by its number, 0 to 12; what stands before and after the sections is in the groups P, M, T, R, Pr
     /// and V, which --filter takes.
-    #[arg(long, value_name = "NUMBER", value_parser = section_number, conflicts_with = "filter")]
+    #[arg(long, value_name = "NUMBER", value_parser = section_number, conflicts_with = "filter", allow_negative_numbers = true)]
     section: Option<usize>,
     /// Only claims that have all of these words in id, title, statement, correction or source, in any case; part of a word will do.
     #[arg(long, value_name = "WORDS", conflicts_with = "export")]

@@ -4,9 +4,9 @@ use super::certificate_options::CertificateOptions;
 use super::limits::CommonOptions;
 use super::near::suggestion;
 use super::number::seconds;
-use super::output::{keep_input, print, require_svg, style};
+use super::output::{keep_input, print, print_aside, require_svg, style};
 use super::progress;
-use super::scene::{count_steps, positive, stage};
+use super::scene::{Steps, count_steps, positive, stage};
 use super::solver_table::check_name;
 use super::{Answer, Format};
 use crate::files::write_together;
@@ -42,7 +42,8 @@ pub struct Arguments {
     /// Time step h [s], also as a fraction such as 1/240.
     #[arg(long, value_name = "SECONDS", default_value_t = 0.001, value_parser = seconds, allow_hyphen_values = true)]
     step: f64,
-    /// Simulated time [s]; the scene's own if absent.
+    /// Simulated time [s]; the scene's own if absent. The motion is made of whole steps: where they do not fit, the nearest number of
+    /// them is made, and a remark says when the motion ends. A time shorter than a step is refused.
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_hyphen_values = true)]
     duration: Option<f64>,
     /// The solver of the contact problems.
@@ -74,7 +75,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let duration = arguments.duration.map(|duration| positive("--duration", duration)).transpose()?;
     let staged = stage(&arguments.scene, "SCENE", "")?;
     let duration = duration.unwrap_or(staged.duration);
-    let steps = count_steps(duration, arguments.step)?;
+    let Steps { count: steps, lasts: duration, remark } = count_steps(duration, arguments.step)?;
     let certified = arguments.certificate.certified(solver.as_ref())?;
     let run = |name: &str| Run::simulate(&arguments.scene, name, &certified, arguments.step, steps);
     let bar = progress::parts(names.len(), "schemes");
@@ -100,6 +101,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         Format::Text => comparison.text(style()),
         Format::Json => pretty(&comparison)?,
     })?;
+    remark.iter().for_each(|remark| print_aside(&format!("remark: {remark}\n")));
     let rejected = runs.iter().filter_map(|(_, run)| run.as_ref().ok()).any(|run| run.steps().rejected > 0);
     if motions.is_empty() {
         return Ok(Answer::No);

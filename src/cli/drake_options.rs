@@ -1,5 +1,6 @@
 //! The material of Drake's schemes on the command line.
 
+use super::number;
 use super::owned::Owned;
 use crate::schemes::drake::Material;
 
@@ -9,16 +10,16 @@ const DRAKE: &str = "Options of drake-sap, drake-similar, drake-lagged and drake
 #[derive(clap::Args)]
 pub struct DrakeOptions {
     /// Stiffness k of a pair for Drake's schemes [N/m].
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, help_heading = DRAKE)]
+    #[arg(long, value_parser = number::real, value_name = "NUMBER", allow_hyphen_values = true, help_heading = DRAKE)]
     stiffness: Option<f64>,
     /// Relaxation time τ of a pair for drake-sap [s].
-    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true, help_heading = DRAKE)]
+    #[arg(long, value_parser = number::seconds, value_name = "SECONDS", allow_hyphen_values = true, help_heading = DRAKE)]
     relaxation_time: Option<f64>,
     /// Hunt and Crossley's dissipation d for drake-similar, drake-lagged and drake-tamsi [s/m].
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, help_heading = DRAKE)]
+    #[arg(long, value_parser = number::real, value_name = "NUMBER", allow_hyphen_values = true, help_heading = DRAKE)]
     dissipation: Option<f64>,
     /// Slip below which drake-similar, drake-lagged and drake-tamsi regularise friction [m/s].
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, help_heading = DRAKE)]
+    #[arg(long, value_parser = number::real, value_name = "NUMBER", allow_hyphen_values = true, help_heading = DRAKE)]
     stiction_tolerance: Option<f64>,
 }
 

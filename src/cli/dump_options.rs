@@ -1,5 +1,7 @@
 //! `--dump-step` and `--dump-rejected`: the contact problem and the answer of a step as files.
 
+use super::outputs::{self, JSON};
+use super::several::make_folder;
 use crate::certificate::residuals;
 use crate::files::write_together;
 use crate::problem::{ContactKey, ContactProblem, Solution};
@@ -11,7 +13,7 @@ use std::path::{Path, PathBuf};
 #[derive(clap::Args)]
 pub struct DumpOptions {
     /// Write the contact problem of step N (from 1) to FILE, and its answer beside it to FILE with `-solution` before the ending.
-    #[arg(long, num_args = 2, value_names = ["N", "FILE"])]
+    #[arg(long, num_args = 2, value_names = ["N", "FILE"], allow_negative_numbers = true)]
     dump_step: Vec<String>,
     /// Write problem and answer of every step that the certificate rejects into this folder, which is made if it is not there and holds no
     /// steps of an earlier run.
@@ -34,12 +36,13 @@ impl DumpOptions {
                 let wanted = number.parse().ok().filter(|wanted| (1..=steps).contains(wanted));
                 let wrong =
                     || Error::invalid("--dump-step", format!("asks for step `{number}`"), format!("use a number from 1 to {steps}"));
+                outputs::require("--dump-step", Some(Path::new(file)), JSON)?;
                 Some((wanted.ok_or_else(wrong)?, Path::new(file)))
             }
             _ => None,
         };
         if let Some(folder) = &self.dump_rejected {
-            std::fs::create_dir_all(folder).map_err(|source| Error::Write { file: folder.clone(), source })?;
+            make_folder("--dump-rejected", folder)?;
             refuse_earlier_steps(folder)?;
         }
         Ok(Dumps { step, rejected: self.dump_rejected.as_deref(), seen: 0 })

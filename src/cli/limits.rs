@@ -1,6 +1,6 @@
 //! Limits on the command line: memory, and counts that have a largest value.
 
-use super::Format;
+use super::{Format, number};
 use crate::memory::{self, size};
 use crate::number::significant;
 use crate::solvers::threads;
@@ -37,8 +37,8 @@ pub struct CommonOptions {
     memory: MemoryOption,
     /// Threads of one solver, which gives the same answer bit for bit with any number. Sweeps over very many contacts (`pgs`, problems by
     /// bodies) use them; smaller ones are faster with one [default: as many as the machine has].
-    #[arg(long, value_name = "N")]
-    threads: Option<NonZeroUsize>,
+    #[arg(long, value_parser = number::count, value_name = "N", allow_negative_numbers = true)]
+    threads: Option<usize>,
     /// How to write the result.
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -48,9 +48,12 @@ impl CommonOptions {
     /// Sets the limits of this process.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if the size of the memory is none.
+    /// [`Error::Invalid`] if the size of the memory is none, or the number of threads is 0.
     pub fn apply(&self) -> Result<()> {
-        self.threads.into_iter().for_each(threads::set_limit);
+        if let Some(threads) = self.threads {
+            let none = || Error::invalid("--threads", "is 0", "give a whole number, at least 1");
+            threads::set_limit(NonZeroUsize::new(threads).ok_or_else(none)?);
+        }
         self.memory.apply()
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Answer;
 use super::output::print;
+use super::several::require_folder;
 use crate::files::write_together;
 use crate::{Error, Result};
 use clap::Command;
@@ -24,6 +25,7 @@ Examples:
 
 /// Runs the subcommand for this program.
 pub fn run(arguments: &Arguments, program: Command) -> Result<Answer> {
+    require_folder("FOLDER", &arguments.folder)?;
     let mut program = program.disable_help_subcommand(true);
     program.build();
     let mut pages = vec![(arguments.folder.join("moreau.1"), page(program.clone())?)];

@@ -27,6 +27,7 @@ mod near;
 mod new;
 mod number;
 mod output;
+mod outputs;
 mod owned;
 pub mod posed;
 mod problem_law;
@@ -183,9 +184,46 @@ fn is_no_answer(error: &Error) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::any::TypeId;
+    use std::num::NonZeroUsize;
 
     #[test]
     fn the_arguments_are_consistent() {
         Arguments::command().debug_assert();
+    }
+
+    /// Every option whose value is a number, of a command and those below it: the words to it, and its own.
+    fn numbers(command: &clap::Command, words: &[String], found: &mut Vec<Vec<String>>) {
+        let kinds = [TypeId::of::<usize>(), TypeId::of::<u64>(), TypeId::of::<u32>(), TypeId::of::<f64>(), TypeId::of::<NonZeroUsize>()];
+        for argument in command.get_arguments() {
+            let kind = argument.get_value_parser().type_id();
+            if let Some(long) = argument.get_long().filter(|_| kinds.iter().any(|known| kind == *known)) {
+                found.push(words.iter().cloned().chain([format!("--{long}")]).collect());
+            }
+        }
+        for below in command.get_subcommands() {
+            let words: Vec<String> = words.iter().cloned().chain([below.get_name().to_string()]).collect();
+            numbers(below, &words, found);
+        }
+    }
+
+    #[test]
+    fn what_is_no_number_is_told_in_plain_words_whatever_the_option() {
+        let mut options = Vec::new();
+        numbers(&Arguments::command(), &["moreau".into()], &mut options);
+        assert!(options.len() > 40, "{options:?}");
+        for words in options {
+            let said = |value: &str| {
+                let words = words.iter().cloned().chain([value.to_string()]);
+                Arguments::command().try_get_matches_from(words).map_or_else(|error| error.to_string(), |_| String::new())
+            };
+            let (text, huge, negative) = (said("x"), said(&"9".repeat(400)), said("-1"));
+            assert!(text.contains("invalid value 'x'") && text.contains("': give "), "{words:?}: {text}");
+            for message in [text, huge, negative] {
+                let ours =
+                    ["digit", "literal", "type", "parse", "target", "unexpected", "use '--"].iter().find(|word| message.contains(**word));
+                assert_eq!(ours, None, "{words:?}: {message}");
+            }
+        }
     }
 }

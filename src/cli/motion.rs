@@ -65,7 +65,7 @@ pub fn motion(question: Question, mut go_on: impl FnMut() -> Result<()>) -> Resu
     let Staged { mechanism, start, duration, .. } = staged;
     let duration = question.duration.map_or(Ok(duration), |duration| positive("--duration", duration))?;
     let scene = scene.map(|scene| Scene { duration, ..scene });
-    let steps = count_steps(duration, question.step)?;
+    let steps = count_steps(duration, question.step)?.count;
     let certified = Certified::with_tolerance(solver.as_ref(), question.tolerance);
     let observe = |_: &schemes::Step| go_on();
     let recording = schemes::simulate_certified(scheme.as_ref(), &certified, mechanism.as_ref(), start, question.step, steps, observe)?;

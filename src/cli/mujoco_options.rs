@@ -1,5 +1,6 @@
 //! Cone, softness, friction against rotation and integrator of mujoco on the command line; the cone is bullet's, too.
 
+use super::number;
 use super::owned::{Owned, option};
 use crate::schemes::mujoco::{Cone, Integrator, Rotational, Softness};
 use crate::schemes::{Friction, Mujoco};
@@ -14,22 +15,23 @@ pub struct MujocoOptions {
     #[arg(long, value_name = "NAME", help_heading = MUJOCO)]
     cone: Option<String>,
     /// solref of mujoco: time constant [s] and damping ratio, or −stiffness [1/s²] and −damping [1/s].
-    #[arg(long, value_name = "A,B", value_delimiter = ',', allow_hyphen_values = true, help_heading = MUJOCO)]
+    #[arg(long, value_parser = number::real, value_name = "A,B", value_delimiter = ',', allow_hyphen_values = true, help_heading = MUJOCO)]
     solref: Option<Vec<f64>>,
     /// solimp of mujoco: impedance at the surface and beyond the width, width [m], midpoint, power.
-    #[arg(long, value_name = "D0,DW,WIDTH,MID,POWER", value_delimiter = ',', help_heading = MUJOCO)]
+    #[arg(long, value_parser = number::real, value_name = "D0,DW,WIDTH,MID,POWER", value_delimiter = ',')]
+    #[arg(allow_hyphen_values = true, help_heading = MUJOCO)]
     solimp: Option<Vec<f64>>,
     /// impratio of mujoco, normal over tangential regularisation.
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, help_heading = MUJOCO)]
+    #[arg(long, value_parser = number::real, value_name = "NUMBER", allow_hyphen_values = true, help_heading = MUJOCO)]
     impratio: Option<f64>,
     /// margin of mujoco: gap below which a contact is active [m].
-    #[arg(long, value_name = "METRES", allow_hyphen_values = true, help_heading = MUJOCO)]
+    #[arg(long, value_parser = number::real, value_name = "METRES", allow_hyphen_values = true, help_heading = MUJOCO)]
     margin: Option<f64>,
     /// Torsional friction of mujoco in space, torque about the normal over the normal force [m].
-    #[arg(long, value_name = "METRES", allow_hyphen_values = true, help_heading = MUJOCO)]
+    #[arg(long, value_parser = number::real, value_name = "METRES", allow_hyphen_values = true, help_heading = MUJOCO)]
     torsional: Option<f64>,
     /// Rolling friction of mujoco in space, torque about a tangent over the normal force [m]; needs --torsional.
-    #[arg(long, value_name = "METRES", allow_hyphen_values = true, help_heading = MUJOCO)]
+    #[arg(long, value_parser = number::real, value_name = "METRES", allow_hyphen_values = true, help_heading = MUJOCO)]
     rolling: Option<f64>,
     /// Integrator of mujoco: euler (default), implicitfast or rk4.
     #[arg(long, value_name = "NAME", help_heading = MUJOCO)]

@@ -2,6 +2,7 @@
 
 use super::kind::read_problem;
 use super::output::{print, print_aside};
+use super::outputs::{self, Content, JAVASCRIPT, JSON, PYTHON, RUST};
 use super::{Answer, posed};
 use crate::files::write_atomically;
 use crate::problem::Posed;
@@ -80,6 +81,7 @@ enum Language {
 struct Skeleton {
     text: String,
     advice: &'static str,
+    content: Content,
 }
 
 const PROBLEM: &str = "\
@@ -101,19 +103,19 @@ scene/1: SI units, z upwards. A body has one of `sphere`, `box`, `capsule`, `cyl
   moreau compare FILE
 ";
 
-const PYTHON: &str = "\
+const IN_PYTHON: &str = "\
 An adapter of moreau-engine/1 with one ball over a plane; put your engine where YOURS is written.
   moreau protocol-check -- python3 FILE
   moreau gate --quick -- python3 FILE
 ";
 
-const JAVASCRIPT: &str = "\
+const IN_JAVASCRIPT: &str = "\
 An adapter of moreau-engine/1 with one ball over a plane; put your engine where YOURS is written.
   moreau protocol-check -- node FILE
   moreau gate --quick -- node FILE
 ";
 
-const RUST: &str = "\
+const IN_RUST: &str = "\
 An adapter of moreau-engine/1 with one ball over a plane, the src/main.rs of a program; put your engine where YOURS is written.
   cargo add --path CHECKOUT_OF_MOREAU && cargo build --release
   moreau protocol-check -- target/release/PROGRAM
@@ -122,23 +124,23 @@ An adapter of moreau-engine/1 with one ball over a plane, the src/main.rs of a p
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
-    let of = |text: &str, advice| Skeleton { text: text.into(), advice };
+    let of = |text: &str, advice| Skeleton { text: text.into(), advice, content: JSON };
     let (skeleton, output) = match &arguments.what {
         What::Problem(output) => (of(include_str!("templates/problem.json"), PROBLEM), output),
         What::Scene(output) => (of(include_str!("templates/scene.json"), SCENE), output),
-        What::Solution(SolutionArguments { problem, output }) => (Skeleton { text: answer_of_zeros(problem)?, advice: SOLUTION }, output),
+        What::Solution(SolutionArguments { problem, output }) => (of(&answer_of_zeros(problem)?, SOLUTION), output),
         What::Engine(EngineArguments { language, output }) => (engine(*language), output),
     };
     write(&skeleton, output.out.as_deref())
 }
 
 fn engine(language: Language) -> Skeleton {
-    let (text, advice) = match language {
-        Language::Python => (include_str!("templates/engine.py"), PYTHON),
-        Language::Javascript => (include_str!("templates/engine.js"), JAVASCRIPT),
-        Language::Rust => (include_str!("../../examples/adapter.rs"), RUST),
+    let (text, advice, content) = match language {
+        Language::Python => (include_str!("templates/engine.py"), IN_PYTHON, PYTHON),
+        Language::Javascript => (include_str!("templates/engine.js"), IN_JAVASCRIPT, JAVASCRIPT),
+        Language::Rust => (include_str!("../../examples/adapter.rs"), IN_RUST, RUST),
     };
-    Skeleton { text: text.into(), advice }
+    Skeleton { text: text.into(), advice, content }
 }
 
 /// The file, or standard output; what to do with it on standard error.
@@ -148,7 +150,10 @@ fn write(skeleton: &Skeleton, out: Option<&Path>) -> Result<Answer> {
             let problem = format!("is {}, which is there already", file.display());
             return Err(Error::invalid("--out", problem, "name another file, or remove this one"));
         }
-        Some(file) => write_atomically(file, skeleton.text.as_bytes())?,
+        Some(file) => {
+            outputs::require("--out", out, skeleton.content)?;
+            write_atomically(file, skeleton.text.as_bytes())?;
+        }
         None => print(&skeleton.text)?,
     }
     let name = out.map_or("FILE".into(), |file| file.display().to_string());

@@ -14,6 +14,31 @@ pub fn seconds(text: &str) -> Result<f64, &'static str> {
     number(text).ok_or("give seconds, such as 0.001 or 1/240")
 }
 
+/// A number for an option; whether it is one that can be used its command says.
+pub fn real(text: &str) -> Result<f64, &'static str> {
+    text.trim().parse().map_err(|_| "give a number, such as 0.5 or 1e-6")
+}
+
+/// A whole number for an option that may be 0.
+pub fn whole(text: &str) -> Result<usize, String> {
+    digits(text, "0 or more")
+}
+
+/// A whole number for an option that counts from 1; 0 its command refuses, which knows what it is for and how far it goes.
+pub fn count(text: &str) -> Result<usize, String> {
+    digits(text, "at least 1")
+}
+
+fn digits(text: &str, least: &str) -> Result<usize, String> {
+    let text = text.trim();
+    let is_whole = !text.is_empty() && text.chars().all(|letter| letter.is_ascii_digit());
+    // what has digits alone is no number only where it is too large
+    text.parse().map_err(|_| match is_whole {
+        true => format!("give a smaller number, at most {}", usize::MAX),
+        false => format!("give a whole number, {least}"),
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -27,5 +52,19 @@ mod tests {
             assert_eq!(number(wrong), None, "{wrong}");
             assert!(seconds(wrong).is_err(), "{wrong}");
         }
+    }
+
+    #[test]
+    fn whole_numbers_are_told_apart_from_others_and_from_those_that_are_too_large() {
+        for (text, value) in [("0", 0), ("7", 7), (" 12 ", 12)] {
+            assert_eq!((whole(text), count(text)), (Ok(value), Ok(value)), "{text}");
+        }
+        for wrong in ["", "x", "-1", "1.5", "1e3", "٣"] {
+            let said = [whole(wrong), count(wrong)].map(|read| read.expect_err("no whole number"));
+            assert_eq!(said, ["give a whole number, 0 or more", "give a whole number, at least 1"], "{wrong}");
+        }
+        let large = "9".repeat(30);
+        assert_eq!(whole(&large), Err(format!("give a smaller number, at most {}", usize::MAX)));
+        assert_eq!((real("1e-6"), real("x").is_err(), real("1/2").is_err()), (Ok(1e-6), true, true));
     }
 }

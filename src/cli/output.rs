@@ -1,6 +1,6 @@
 //! Writing results: standard output that survives a closed pipe, notes on standard error, colours.
 
-use super::Answer;
+use super::{Answer, outputs};
 use crate::files::is_same_file;
 use crate::report::json::pretty;
 use crate::report::no_answer::NoAnswer;
@@ -48,7 +48,7 @@ pub fn require_svg(option: &str, file: Option<&Path>) -> Result<()> {
             let problem = format!("is {}, and the picture is SVG", file.display());
             Err(Error::invalid(option, problem, "end the name in .svg"))
         }
-        _ => Ok(()),
+        _ => outputs::require(option, file, outputs::SVG),
     }
 }
 

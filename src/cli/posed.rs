@@ -67,9 +67,20 @@ pub fn solve(posed: &Posed, solver: &dyn ContactSolver, warm_start: Option<&DVec
 }
 
 fn propose(posed: &Posed, solver: &dyn ContactSolver, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-    match posed {
+    let answer = match posed {
         Posed::Contacts(problem) => solver.solve(problem, warm_start),
         Posed::Jointed(problem) => solve_jointed(problem, solver, warm_start),
+    };
+    answer.map_err(|error| in_name_of(solver.name(), error))
+}
+
+/// The error of a solver that asks others in its own name, for that is the one that was asked for.
+pub(super) fn in_name_of(asked: &str, error: Error) -> Error {
+    match error {
+        Error::Solver { solver, failure, reason } if solver != asked => {
+            Error::solver(asked, failure, format!("`{solver}`, which it asked, {reason}"))
+        }
+        other => other,
     }
 }
 

@@ -1,7 +1,7 @@
 //! `moreau protocol-check`: tells the author of an adapter what is wrong with it.
 
 use super::output::{print, print_aside, style};
-use super::{Answer, Format};
+use super::{Answer, Format, number};
 use crate::Result;
 use crate::gate::conformance::conformance;
 use crate::gate::process::{Limits, end_engines_on_interrupt};
@@ -20,7 +20,7 @@ pub struct Arguments {
     #[arg(last = true, value_name = "COMMAND", required = true)]
     command: Vec<String>,
     /// Seconds the adapter may take for one request.
-    #[arg(long, value_name = "SECONDS", default_value_t = 60.0)]
+    #[arg(long, value_parser = number::seconds, value_name = "SECONDS", default_value_t = 60.0, allow_negative_numbers = true)]
     time_limit: f64,
     /// How to write the result.
     #[arg(long, value_enum, default_value_t)]

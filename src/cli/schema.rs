@@ -2,6 +2,7 @@
 
 use super::near::suggestion;
 use super::output::{print, style};
+use super::several::require_folder;
 use super::{Answer, Format, section};
 use crate::files::write_together;
 use crate::report::formats::{BEGIN, END, markdown};
@@ -17,7 +18,7 @@ pub struct Arguments {
     /// The format; without it, the formats are listed.
     #[arg(value_name = "NAME")]
     name: Option<String>,
-    /// Write all schemas into this folder, as NAME.schema.json, all or none.
+    /// Write all schemas into this folder, which must exist, as NAME.schema.json, all or none.
     #[arg(long, value_name = "FOLDER", conflicts_with = "name")]
     write: Option<PathBuf>,
     /// Replace the section between `<!-- formats -->` and `<!-- /formats -->` of this file by the tables of the fields of the files that
@@ -73,6 +74,7 @@ fn list(format: Format) -> Result<Answer> {
 }
 
 fn write(folder: &Path) -> Result<Answer> {
+    require_folder("--write", folder)?;
     let texts: Vec<(PathBuf, String)> = FORMATS.iter().map(|format| (folder.join(format.file()), format.schema())).collect();
     let files: Vec<(&Path, &[u8])> = texts.iter().map(|(file, text)| (file.as_path(), text.as_bytes())).collect();
     write_together(&files)?;

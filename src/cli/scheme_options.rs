@@ -4,6 +4,7 @@ use super::drake_options::DrakeOptions;
 use super::limits::count;
 use super::mujoco_options::MujocoOptions;
 use super::near::suggestion;
+use super::number;
 use super::owned::{Owned, option};
 use crate::schemes::{self, Activation, Bullet, RestitutionRule, Scheme, SchemeParameters};
 use crate::tolerance::limits::SWEEPS;
@@ -21,10 +22,10 @@ const EVENT_DRIVEN: &str = "Options of event-driven";
 #[derive(clap::Args)]
 pub struct SchemeOptions {
     /// θ of moreau-jean and moreau-jean-projection, from 0 (explicit) over 1/2 (default) to 1 (implicit).
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, help_heading = MOREAU_JEAN)]
+    #[arg(long, value_parser = number::real, value_name = "NUMBER", allow_hyphen_values = true, help_heading = MOREAU_JEAN)]
     theta: Option<f64>,
     /// Restitution e of every pair, for the schemes that have one, in place of the scene's.
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    #[arg(long, value_parser = number::real, value_name = "NUMBER", allow_hyphen_values = true)]
     restitution: Option<f64>,
     /// Whether e reverses the normal velocity only (normal-only, default) or the whole contact velocity (full-vector).
     #[arg(long, value_name = "RULE", help_heading = MOREAU_JEAN)]
@@ -33,23 +34,23 @@ pub struct SchemeOptions {
     #[arg(long, value_name = "RULE", help_heading = MOREAU_JEAN)]
     activation: Option<String>,
     /// Friction directions of stewart-trinkle at spatial contacts, from 3 to 1024 (8).
-    #[arg(long, value_name = "NUMBER", help_heading = STEWART_TRINKLE)]
+    #[arg(long, value_parser = number::count, value_name = "NUMBER", help_heading = STEWART_TRINKLE, allow_negative_numbers = true)]
     friction_directions: Option<usize>,
     /// ρ of generalised-alpha, the share that a step keeps of infinitely stiff motion, from 0 to 1 (0.8).
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, help_heading = GENERALISED_ALPHA)]
+    #[arg(long, value_parser = number::real, value_name = "NUMBER", allow_hyphen_values = true, help_heading = GENERALISED_ALPHA)]
     spectral_radius: Option<f64>,
     /// Compliance α of a contact in xpbd [m/N] (0).
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, help_heading = POSITION_BASED)]
+    #[arg(long, value_parser = number::real, value_name = "NUMBER", allow_hyphen_values = true, help_heading = POSITION_BASED)]
     compliance: Option<f64>,
     /// Share s of a penetration that pbd undoes in a sweep, above 0 and up to 1 (1/2).
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, help_heading = POSITION_BASED)]
+    #[arg(long, value_parser = number::real, value_name = "NUMBER", allow_hyphen_values = true, help_heading = POSITION_BASED)]
     share: Option<f64>,
     /// Sweeps over all contacts in a step of xpbd (20) or pbd (10), from 1 to 10000.
-    #[arg(long, value_name = "NUMBER", help_heading = POSITION_BASED)]
+    #[arg(long, value_parser = number::count, value_name = "NUMBER", help_heading = POSITION_BASED, allow_negative_numbers = true)]
     sweeps: Option<usize>,
     /// τ of event-driven [s]: an impact that would start a shorter flight is plastic. With 0 every impact is followed, and infinitely many
     /// are an error.
-    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true, help_heading = EVENT_DRIVEN)]
+    #[arg(long, value_parser = number::seconds, value_name = "SECONDS", allow_hyphen_values = true, help_heading = EVENT_DRIVEN)]
     shortest_flight: Option<f64>,
     #[command(flatten)]
     mujoco: MujocoOptions,

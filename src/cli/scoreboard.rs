@@ -1,7 +1,9 @@
 //! `moreau scoreboard`: every installed engine through the same checks, stored and rendered.
 
 use super::output::{print, print_aside, style};
-use super::{Answer, Format, section};
+use super::outputs::{self, HTML};
+use super::several::make_folder;
+use super::{Answer, Format, number, section};
 use crate::board;
 use crate::files::write_together;
 use crate::gate::cause::{self, Cause};
@@ -51,7 +53,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FOLDER")]
     folder: Option<PathBuf>,
     /// Engines of one kind that run at once.
-    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    #[arg(long, value_parser = number::count, value_name = "NUMBER", default_value_t = 1, allow_negative_numbers = true)]
     jobs: usize,
     /// Write the table with every number as one self-contained HTML page: a mark leads to the number that decided it, and to the cause.
     #[arg(long, value_name = "FILE")]
@@ -75,6 +77,7 @@ Examples:
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     end_engines_on_interrupt()?;
+    outputs::require("--html", arguments.html.as_deref(), HTML)?;
     let checks = chosen(arguments)?;
     let (mut standings, causes) = if arguments.is_elsewhere() { arguments.embedded()? } else { arguments.judged(&checks)? };
     for misfit in cause::misfits(&causes, &standings) {
@@ -126,7 +129,7 @@ impl Arguments {
         let engines = self.engines()?;
         self.require(engines.iter().map(|entry| entry.name.as_str()))?;
         let folder = self.folder.as_deref().unwrap_or(Path::new(RESULTS));
-        std::fs::create_dir_all(folder).map_err(|source| Error::Write { file: folder.into(), source })?;
+        make_folder("--folder", folder)?;
         let causes = cause::read(&folder.join("causes"))?;
         let mut standings = Vec::new();
         for entry in engines {

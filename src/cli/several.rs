@@ -89,11 +89,24 @@ pub fn make_folder(option: &str, folder: &Path) -> Result<()> {
     std::fs::create_dir_all(folder).map_err(|source| Error::Write { file: folder.into(), source })
 }
 
+/// Refuses a folder that is not there, of a command that makes none.
+///
+/// # Errors
+/// [`Error::Invalid`] names the option.
+pub fn require_folder(option: &str, folder: &Path) -> Result<()> {
+    let (found, cure) = match (folder.is_dir(), folder.exists()) {
+        (true, _) => return Ok(()),
+        (false, true) => ("which is a file", "name a folder"),
+        (false, false) => ("which is not there", "make the folder, or name another one"),
+    };
+    Err(Error::invalid(option, format!("is {}, {found}", folder.display()), cure))
+}
+
 /// What an error says where its file is named beside it.
 pub fn reason(error: &Error) -> String {
     match error {
         Error::InFile { inner, .. } => reason(inner),
-        Error::Read { source, .. } => format!("cannot be read: {source}"),
+        Error::Read { .. } => format!("cannot be read: {}", error.cause().unwrap_or_default()),
         other => other.to_string(),
     }
 }

@@ -4,10 +4,11 @@ use super::asked::Asked;
 use super::certificate_options::CertificateOptions;
 use super::dump_options::DumpOptions;
 use super::limits::CommonOptions;
-use super::number::seconds;
+use super::number::{self, seconds};
 use super::output::{keep_files, no_answer, print, print_aside, require_svg, style};
+use super::outputs::{self, HTML, JSON};
 use super::progress;
-use super::scene::{count_steps, find, positive};
+use super::scene::{Steps, count_steps, find, positive};
 use super::scheme_options::SchemeOptions;
 use super::solver_table::{self, check_name, with_table};
 use super::{Answer, Format, time_limit};
@@ -49,7 +50,8 @@ pub struct Arguments {
     /// Time step h [s], also as a fraction such as 1/240; of event-driven the time between samples.
     #[arg(long, value_name = "SECONDS", default_value_t = 0.001, value_parser = seconds, allow_hyphen_values = true)]
     step: f64,
-    /// Simulated time [s]; the scene's own if absent.
+    /// Simulated time [s]; the scene's own if absent. The motion is made of whole steps: where they do not fit, the nearest number of
+    /// them is made, and a remark says when the motion ends. A time shorter than a step is refused.
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_hyphen_values = true)]
     duration: Option<f64>,
     #[command(flatten)]
@@ -64,7 +66,7 @@ pub struct Arguments {
     /// End the motion after this time of computing, all steps together: the steps made are kept and written, the one that is being made is
     /// left out and named, the exit code is 1, and the motion is marked as not reproducible. The time is looked at between steps and,
     /// within a step, where solvers look for `--time-limit` of `moreau solve`.
-    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
+    #[arg(long, value_parser = number::seconds, value_name = "SECONDS", allow_hyphen_values = true)]
     time_limit: Option<f64>,
     /// Write the motion to this file, a trajectory/1.
     #[arg(long, value_name = "FILE")]
@@ -132,7 +134,7 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
             (for_scheme(&scene, &arguments.scheme)?, Some(scene), note)
         }
     };
-    let steps = count_steps(staged.duration, arguments.step)?;
+    let Steps { count: steps, remark: ends, .. } = count_steps(staged.duration, arguments.step)?;
     let mechanism = staged.mechanism.as_ref();
     let certified = arguments.certificate.certified(&solver)?;
     let mut dumps = arguments.dumps.start(steps)?;
@@ -165,7 +167,7 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
         note,
         closed_form: exact.as_ref().map(ExactMotion::law),
         quantities: motion.summary(),
-        remarks: scene.iter().filter_map(|scene| deepest::remark(&recording, mechanism, scene)).collect(),
+        remarks: ends.into_iter().chain(scene.iter().filter_map(|scene| deepest::remark(&recording, mechanism, scene))).collect(),
         steps: StepSummary::of(&recording, mechanism),
         reproducible: cut.is_none(),
         cut,
@@ -214,7 +216,9 @@ impl Arguments {
         let all = [("--out", &self.out), ("--plot", &self.plot), ("--html", &self.html)];
         let outputs: Vec<_> = all.into_iter().filter_map(|(option, file)| Some((option, file.as_deref()?))).collect();
         keep_files(&[Path::new(scene)], &outputs)?;
-        require_svg("--plot", self.plot.as_deref())
+        require_svg("--plot", self.plot.as_deref())?;
+        outputs::require("--out", self.out.as_deref(), JSON)?;
+        outputs::require("--html", self.html.as_deref(), HTML)
     }
 
     /// The linkage with the options applied.

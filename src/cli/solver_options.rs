@@ -2,7 +2,7 @@
 
 use super::limits::check_tolerance;
 use super::solver_table::check_name;
-use super::time_limit;
+use super::{number, time_limit};
 use crate::solvers::watch::Interrupt;
 use crate::solvers::{self, ContactSolver};
 use crate::tolerance::cli::{ASKED_SHARE, CERTIFY};
@@ -13,12 +13,12 @@ use crate::{Error, Result};
 pub struct ToleranceOption {
     /// Largest residual accepted, relative to the scale of its contact [default: 1e-8]. Where it is given, iterations stop at half of it,
     /// or where only rounding is left.
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    #[arg(long, value_parser = number::real, value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: Option<f64>,
     /// End a solve after this time with the best answer so far, which the next run need not find again: it is marked as not reproducible.
     /// Iterations look between their steps, sweeps between their contacts, eliminations between their fronts, pivoting methods between
     /// their pivots; Clarabel looks between its iterations, whose factorisations it ends no sooner.
-    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
+    #[arg(long, value_parser = number::seconds, value_name = "SECONDS", allow_hyphen_values = true)]
     time_limit: Option<f64>,
 }
 

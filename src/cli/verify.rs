@@ -3,6 +3,7 @@
 use super::claim_filters::Filters;
 use super::near::suggestion;
 use super::output::{print, style};
+use super::outputs::{self, JSON};
 use super::{Answer, Format};
 use crate::claims::{self, CHAPTER, Claim, JudgedClaim, Status, matches_group};
 use crate::files::write_atomically;
@@ -80,6 +81,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     if arguments.export.as_deref() == Some(Path::new("-")) {
         return Err(Error::Unsupported("--export needs the name of a file: standard output has the report".into()));
     }
+    outputs::require("--export", arguments.export.as_deref(), JSON)?;
     let outcomes = judge_all(&claims, if arguments.export.is_some() { claims::judge_with_witnesses } else { claims::judge });
     print(&match arguments.format {
         Format::Text => text::outcomes(&outcomes, style()),

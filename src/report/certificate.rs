@@ -284,12 +284,16 @@ impl<'a> Certificate<'a> {
         let bilateral = self.residuals.bilateral.map(|worst| ("bilateral", worst, "m/s"));
         // contacts are counted among all constraints where there are joints
         let place = if self.joints.is_some() { "constraint" } else { "contact" };
+        let pushing = self.contacts + self.joints.as_ref().map_or(0, |joints| joints.limits);
         for (name, Worst { part, contact, .. }, unit) in self.residuals.contacts.judged.entries().into_iter().chain(bilateral) {
             let unit = self.unit(unit);
             let [relative, limit] = [part.relative(), part.limit(self.tolerance)].map(significant);
             let value = with_unit(&significant(part.value), unit);
             let mark = if part.relative() <= self.tolerance { ' ' } else { '✗' };
-            line(format!("{mark} {name:18} {value:16} relative {relative:10} limit {:16} {place} {contact}", with_unit(&limit, unit)));
+            // what no contact has is worst at none; only joints have velocities then, too
+            let is_anywhere = pushing > 0 || (self.joints.is_some() && ["velocity", "bilateral"].contains(&name));
+            let at = if is_anywhere { format!("{place} {contact}") } else { format!("no {place}") };
+            line(format!("{mark} {name:18} {value:16} relative {relative:10} limit {:16} {at}", with_unit(&limit, unit)));
         }
         line("norms over all contacts, shown for comparison only:".into());
         for (name, value, unit) in self.residuals.contacts.norms() {

@@ -73,3 +73,12 @@ fn what_cannot_be_meant_is_refused_by_name() {
     moreau(&["compare", "bouncing-ball", "--duration", "-1"]).is_refused(&["--duration"]);
     moreau(&["compare", "bouncing-ball", "--solver", "magic"]).is_refused(&["--solver", "magic"]);
 }
+
+#[test]
+fn another_time_than_the_one_asked_for_is_told_and_stands_in_json() {
+    let arguments = ["compare", "bouncing-ball", "--schemes", "moreau-jean", "--step", "0.3", "--duration", "1", "--format", "json"];
+    let run = moreau(&arguments);
+    assert!(run.message.contains("a duration of 1 s") && run.message.contains("ends after 0.9 s"), "{}", run.message);
+    assert!((run.json()["duration"].as_f64().expect("a number") - 0.9).abs() < 1e-12);
+    moreau(&["compare", "bouncing-ball", "--step", "3"]).is_refused(&["`--step`", "is 3 s", "less than a step"]);
+}

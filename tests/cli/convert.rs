@@ -100,6 +100,32 @@ fn an_answer_that_does_not_fit_is_refused_and_one_that_is_no_solution_is_told() 
         .is_refused(&["--out", "input"]);
 }
 
+/// The remark on the name says what is done with it: it stands in the title, is not read as the name, and a copy keeps the title.
+#[test]
+fn the_name_is_kept_as_the_title_and_read_from_the_file() {
+    let folder = Folder::new("convert-name");
+    let spatial = PROBLEM.replace("\"dimension\": 2", "\"dimension\": 3").replace("[-1, 2]", "[-1, 2, 0]");
+    let spatial =
+        spatial.replace(r#"{"shape": [2, 2], "rows": [[1, 0], [0, 1]]}"#, r#"{"shape": [3, 3], "rows": [[1,0,0],[0,1,0],[0,0,1]]}"#);
+    let json = folder.file("from.json", &spatial);
+    let [other, again] = ["other.hdf5", "again.h5"].map(|name| folder.path(name));
+    let run = moreau(&["convert", &json, "--out", &other]);
+    assert!(run.code == 0 && run.message.contains("`block` as the name (it is kept as `info/title`"), "{}", run.message);
+    assert_eq!(moreau(&["convert", &other, "--out", &again]).message, "");
+    for file in [&other, &again] {
+        let info = StoredAnswers::read(Path::new(file)).expect("well formed").info;
+        assert!(info.iter().any(|(name, text)| name == "title" && text == "block"), "{info:?}");
+    }
+    let back = moreau(&["convert", &other]);
+    assert_eq!(back.json()["name"], "other");
+    assert!(back.message.contains("`info/title` (“block”)"), "{}", back.message);
+    // under its own name nothing is lost
+    let own = folder.path("block.hdf5");
+    assert_eq!(moreau(&["convert", &json, "--out", &own]).message, "");
+    let back = moreau(&["convert", &own]);
+    assert_eq!((back.json()["name"].as_str(), back.message.as_str()), (Some("block"), ""));
+}
+
 #[test]
 fn what_is_not_kept_is_told_in_a_line() {
     let folder = Folder::new("convert-dropped");
@@ -116,7 +142,10 @@ fn what_is_not_kept_is_told_in_a_line() {
     };
     let fields = "`mass`, `jacobian` (W, which follows, is kept), `bodies`, `keys`, `provenance`";
     let other = moreau(&["convert", &json, "--out", &folder.path("other.hdf5")]);
-    assert_eq!(said(other, "FCLIB's local form"), format!("{fields}, the name `block` (that of the file is read)"));
+    assert_eq!(
+        said(other, "FCLIB's local form"),
+        format!("{fields}, `block` as the name (it is kept as `info/title`; the name of the file is read)")
+    );
     assert_eq!(said(moreau(&["convert", &json, "--out", &folder.path("block.hdf5")]), "FCLIB's local form"), fields);
     let again = moreau(&["convert", &json]);
     assert!(again.json()["mass"].is_object() && again.json()["keys"].is_array());

@@ -13,6 +13,8 @@ mod joints;
 mod keys;
 mod limits;
 mod new;
+mod numbers;
+mod paths;
 mod problems;
 mod report;
 mod schema;

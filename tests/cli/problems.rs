@@ -42,6 +42,25 @@ fn exported_problems_are_certified_in_both_formats_and_what_has_no_place_is_refu
 }
 
 #[test]
+fn what_is_listed_and_not_exported_is_named_by_both_commands() {
+    let folder = Folder::new("problems-all");
+    let listed = moreau(&["problems", "list", "--format", "json"]).json();
+    let listed = listed.as_array().expect("a list");
+    let missing: Vec<&str> = listed.iter().filter(|line| line["stored"] == false).filter_map(|line| line["name"].as_str()).collect();
+    assert!(missing.contains(&"tower-570"), "{missing:?}");
+    let run = moreau(&["problems", "export", "--all", &folder.path("all")]);
+    let (count, left) = (listed.len() - missing.len(), missing.len());
+    assert!(run.code == 0 && run.output.starts_with(&format!("{count} problems in ")), "{}", run.output);
+    let words =
+        format!("{left} of them are listed and not exported, too large to be stored: {}; `moreau problems show", missing.join(", "));
+    assert!(run.message.contains(&words) && run.message.lines().count() == 1, "{}", run.message);
+    let text = moreau(&["problems", "list"]).output;
+    assert!(text.contains(&words) && text.contains(&format!("{} problems of ", listed.len())), "{text}");
+    // a list without them does not speak of them
+    assert!(!moreau(&["problems", "list", "--to", "2"]).output.contains("too large"));
+}
+
+#[test]
 fn a_problem_is_measured_and_one_without_solution_is_answered_no() {
     let folder = Folder::new("problems-measured");
     for name in ["single-slide", "rail-deep"] {

@@ -205,7 +205,7 @@ fn trajectory_and_picture_are_written_together_or_not_at_all() {
     let folder = Folder::new("simulate-together");
     let (out, nowhere) = (folder.path("out.json"), folder.path("nowhere/out.svg"));
     let run = moreau(&["simulate", "--scene", "ball-drop", "--step", "0.01", "--out", &out, "--plot", &nowhere]);
-    run.is_refused(&["nowhere", "cannot write"]);
+    run.is_refused(&["nowhere", "there is no folder", "make the folder"]);
     moreau(&["simulate", "--scene", "ball-drop", "--step", "0.01", "--out", &out, "--plot", &out]).is_refused(&["--plot", "--out"]);
     let again = folder.path("./out.json");
     moreau(&["simulate", "--scene", "ball-drop", "--out", &out, "--plot", &again]).is_refused(&["--plot", "--out"]);
@@ -347,4 +347,26 @@ fn a_picture_of_many_bodies_names_every_curve_and_what_is_left_out() {
     let picture = std::fs::read_to_string(&plot).expect("drawn");
     assert!((0..19).all(|k| picture.matches(&format!("ball{k} z\n")).count() == 2), "the legends of positions and velocities");
     assert!(picture.contains("not drawn, for they move less than a twentieth of what moves farthest: ball18 x"), "what is left out");
+}
+
+#[test]
+fn a_duration_that_is_no_whole_number_of_steps_is_remarked_on_and_one_shorter_than_a_step_is_refused() {
+    let run = |step: &str, duration: &str, more: &[&str]| {
+        moreau(&[&["simulate", "--scene", "bouncing-ball", "--step", step, "--duration", duration][..], more].concat())
+    };
+    let words = ["a duration of 1 s", "steps of 0.3 s", "3 steps are made", "ends after 0.9 s"];
+    let text = run("0.3", "1", &[]);
+    assert!(text.code == 0 && words.iter().all(|word| text.message.contains(word)), "{}", text.message);
+    let json = run("0.3", "1", &["--format", "json"]);
+    let remarks = json.json()["remarks"].to_string();
+    assert!(json.message.is_empty() && words.iter().all(|word| remarks.contains(word)), "{remarks}");
+    for (step, duration) in [("0.25", "1"), ("1/240", "0.5"), ("0.1", "0.3")] {
+        let whole = run(step, duration, &[]);
+        assert!(whole.code == 0 && !whole.message.contains("whole number of steps"), "{}", whole.message);
+    }
+    for duration in ["1", "1.9"] {
+        run("2", duration, &[]).is_refused(&["`--step`", "is 2 s", &format!("lasts {duration} s"), "less than a step", "--duration"]);
+    }
+    // a scene's own duration is held against the step, too
+    moreau(&["simulate", "--scene", "bouncing-ball", "--step", "3"]).is_refused(&["`--step`", "is 3 s", "lasts 2 s"]);
 }

@@ -238,8 +238,12 @@ fn the_page_is_written_whole_or_not_at_all_and_over_nothing() {
     let scene = folder.file("scene.json", &shapes().to_string());
     let (html, out, nowhere) = (folder.path("page.html"), folder.path("out.json"), folder.path("nowhere/page.html"));
     let simulate = |more: &[&str]| moreau(&[&["simulate", "--scene", &scene, "--step", "0.01"], more].concat());
-    simulate(&["--out", &out, "--html", &nowhere]).is_refused(&["nowhere", "cannot write"]);
-    simulate(&["--html", &html, "--out", &folder.path("nowhere/out.json")]).is_refused(&["nowhere", "cannot write"]);
+    simulate(&["--out", &out, "--html", &nowhere]).is_refused(&["nowhere", "there is no folder", "make the folder"]);
+    simulate(&["--html", &html, "--out", &folder.path("nowhere/out.json")]).is_refused(&[
+        "nowhere",
+        "there is no folder",
+        "make the folder",
+    ]);
     simulate(&["--html", &scene]).is_refused(&["`--html`", "input file"]);
     simulate(&["--html", &html, "--out", &folder.path("./page.html")]).is_refused(&["`--html`", "--out"]);
     simulate(&["--html", &folder.path("a.svg"), "--plot", &folder.path("a.svg")]).is_refused(&["`--html`", "--plot"]);

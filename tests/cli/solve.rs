@@ -130,7 +130,11 @@ fn bad_problems_are_refused_by_file_and_field_and_nothing_is_written() {
     moreau(&["solve", &folder.path("missing.json")]).is_refused(&["missing.json", "cannot read"]);
     let good = folder.file("good.json", PROBLEM);
     moreau(&["solve", &good, "--solver", "magic"]).is_refused(&["--solver", "magic", "pgs"]);
-    moreau(&["solve", &good, "--out", &folder.path("nowhere/answer.out")]).is_refused(&["nowhere", "cannot write"]);
+    moreau(&["solve", &good, "--out", &folder.path("nowhere/answer.out")]).is_refused(&[
+        "nowhere",
+        "there is no folder",
+        "make the folder",
+    ]);
     moreau(&["solve", &good, "--out", &folder.path("./good.json")]).is_refused(&["--out", "good.json", "another file"]);
     assert_eq!(std::fs::read_to_string(&good).expect("still there"), PROBLEM);
     assert!(folder.names().iter().all(|name| name.ends_with(".json")), "{:?}", folder.names());
@@ -234,9 +238,9 @@ fn an_answer_of_a_time_limit_is_marked() {
 fn a_solver_that_the_time_limit_leaves_without_an_answer_is_marked_too() {
     let folder = Folder::new("solve-time-none");
     let problem = folder.file("plate.json", &super::limits::plate(512));
-    let answers = folder.path("answers");
+    let (answers, answer) = (folder.path("answers"), folder.path("answer.json"));
     let words = ["--solver", "admm", "--time-limit", "1e-9", "--format", "json"];
-    let alone = moreau(&[&["solve", &problem, "--out", &folder.path("answer.json")], &words[..]].concat());
+    let alone = moreau(&[&["solve", &problem, "--out", &answer], &words[..]].concat());
     let several = moreau(&[&["solve", &folder.path(""), "--out", &answers], &words[..]].concat());
     let line = &several.json()["problems"][0];
     for (run, json) in [(&alone, &alone.json()), (&several, line)] {
@@ -245,7 +249,7 @@ fn a_solver_that_the_time_limit_leaves_without_an_answer_is_marked_too() {
     let run = moreau(&["solve", &problem, "--solver", "admm", "--time-limit", "1e-9"]);
     assert!(run.code == 1 && run.message.contains("ended by the time limit"), "{}", run.message);
     // what is refused, with or without a limit, is refused again
-    let run = moreau(&["solve", &problem, "--solver", "apgd", "--time-limit", "1e5", "--format", "json", "--out", &answers]);
+    let run = moreau(&["solve", &problem, "--solver", "apgd", "--time-limit", "1e5", "--format", "json", "--out", &answer]);
     assert!(run.json()["status"] == "refused" && run.json().get("reproducible").is_none(), "{}", run.output);
 }
 
@@ -338,5 +342,33 @@ fn a_start_is_refused_where_the_solver_has_one_of_its_own() {
         } else {
             run.is_refused(&["field `--start`", solver, "leave it out"]);
         }
+    }
+}
+
+#[test]
+fn without_contacts_no_contact_is_named() {
+    let folder = Folder::new("solve-none");
+    let text = r#"{"schema": "contact-problem/1", "name": "free", "dimension": 3, "law": "coulomb", "friction": [],
+      "free_velocity": [], "delassus": {"shape": [0, 0], "rows": []}}"#;
+    let (problem, answer) = (folder.file("free.json", text), folder.path("answer.json"));
+    for run in [moreau(&["solve", &problem, "--out", &answer]), moreau(&["certify", &problem, &answer])] {
+        assert_eq!((run.code, run.output.matches("no contact\n").count()), (0, 6), "{}", run.output);
+        assert!(!run.output.contains("contact 0"), "{}", run.output);
+    }
+    let one = moreau(&["solve", &folder.file("p.json", PROBLEM), "--out", &answer]).output;
+    assert!(one.contains("contact 0") && !one.contains("no contact"), "{one}");
+}
+
+#[test]
+fn a_failure_is_told_in_the_name_of_the_solver_that_was_asked_for() {
+    let folder = Folder::new("solve-asked");
+    let huge = PROBLEM.replace("[-1, 2]", "[-1e308, 1e308]").replace("[[1, 0], [0, 1]]", "[[1e-300, 0], [0, 1e-300]]");
+    let problem = folder.file("huge.json", &huge);
+    for solver in ["auto", "pgs"] {
+        let run = moreau(&["solve", &problem, "--solver", solver]);
+        assert_eq!(run.code, 1, "{}", run.message);
+        assert!(run.message.contains(&format!("solver `{solver}` (")) && run.message.contains("rescale the units"), "{}", run.message);
+        let json = moreau(&["solve", &problem, "--solver", solver, "--format", "json", "--out", &folder.path("a.json")]).json();
+        assert_eq!(json["solver"], solver);
     }
 }

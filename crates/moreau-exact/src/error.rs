@@ -1,5 +1,6 @@
 //! Errors: every message names the file or object, the field, what is wrong and what would cure it.
 
+use crate::cause;
 use std::path::{Path, PathBuf};
 
 /// Result of every fallible operation of this crate.
@@ -17,7 +18,7 @@ pub type Result<T> = std::result::Result<T, Error>;
 #[non_exhaustive]
 pub enum Error {
     /// A file could not be read.
-    #[error("cannot read {}: {source}", file.display())]
+    #[error("cannot read {}: {}", file.display(), cause::of_reading(source))]
     Read {
         /// The file.
         file: PathBuf,
@@ -25,7 +26,7 @@ pub enum Error {
         source: std::io::Error,
     },
     /// A file could not be written; nothing was left half-written.
-    #[error("cannot write {}: {source}", file.display())]
+    #[error("cannot write {}: {}", file.display(), cause::of_writing(source))]
     Write {
         /// The file.
         file: PathBuf,
@@ -138,6 +139,15 @@ impl Error {
     /// The error of a solver that proved that the problem has no solution.
     pub fn infeasible(solver: impl Into<String>, reason: impl Into<String>) -> Self {
         Error::solver(solver, Failure::Infeasible, reason)
+    }
+
+    /// Why a file could not be read or written, and what to do about it, where the file is named beside it; nothing of other errors.
+    pub fn cause(&self) -> Option<String> {
+        match self {
+            Error::Read { source, .. } => Some(cause::of_reading(source)),
+            Error::Write { source, .. } => Some(cause::of_writing(source)),
+            _ => None,
+        }
     }
 
     /// The same error, naming the file it came from.

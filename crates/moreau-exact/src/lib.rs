@@ -3,6 +3,7 @@
 //! [`scalar::Scalar`] is a field with an order: exact rationals, `f64`, dual numbers. [`elimination`] solves linear systems in any of them,
 //! [`tolerance::rounding`] bounds the error of a sum, [`Error`] is the error of every crate of the workspace.
 
+mod cause;
 pub mod doubled;
 pub mod elimination;
 pub mod error;

@@ -10,7 +10,7 @@
 use crate::tolerance::{NEWS, SPREADS};
 use crate::{CheckOutcome, Measurement, Report, StepOutcome, Verdict};
 use jiff::civil::Date;
-use moreau_contact::files::{read_text, write_atomically};
+use moreau_contact::files::{read_text, told, write_atomically};
 use moreau_exact::number::{significant, with_unit};
 use moreau_exact::{Error, Result};
 use schemars::JsonSchema;
@@ -152,6 +152,13 @@ pub enum ChangeKind {
     Improvement,
 }
 
+/// The key of the line that a place in a text stands in.
+fn key_before(text: &str, place: usize) -> Option<&str> {
+    let start = text[..place].rfind('\n').map_or(0, |end| end + 1);
+    let (key, _) = text[start..].lines().next()?.split_once('=')?;
+    Some(key.trim()).filter(|key| !key.is_empty())
+}
+
 impl Baseline {
     /// The baseline of a run.
     pub fn of(report: &Report) -> Self {
@@ -184,12 +191,17 @@ impl Baseline {
         let text = read_text(file)?;
         let baseline: Baseline = toml::from_str(&text).map_err(|error| {
             let line = error.span().map_or(String::new(), |span| format!("line {}: ", 1 + text[..span.start].matches('\n').count()));
-            let problem = format!("{line}{}", error.message());
+            let (said, cure) = match told(error.message()) {
+                Some(told) => (told.problem, format!("{}, or ", told.cure)),
+                None => (error.message().into(), String::new()),
+            };
+            let problem = format!("{line}{said}");
             let wrong = error.span().and_then(|span| text[..span.end].lines().last()).unwrap_or("").trim_start();
             if wrong.starts_with("expires") {
                 return Error::invalid("known_issue.expires", problem, "write the day as \"2027-01-31\"").in_file(file);
             }
-            Error::invalid("baseline", problem, "make a new one with `moreau gate --save-baseline FILE`").in_file(file)
+            let field = error.span().and_then(|span| key_before(&text, span.start)).unwrap_or("baseline");
+            Error::invalid(field, problem, format!("{cure}make a new one with `moreau gate --save-baseline FILE`")).in_file(file)
         })?;
         if baseline.schema != SCHEMA {
             let problem = format!("is `{}`", baseline.schema);

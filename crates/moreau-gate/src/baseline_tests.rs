@@ -219,6 +219,23 @@ fn another_engine_or_sweep_cannot_be_compared() {
 }
 
 #[test]
+fn a_value_that_is_none_is_told_by_its_key_and_line_in_plain_words() {
+    let file = std::env::temp_dir().join(format!("moreau-baseline-words-{}.toml", std::process::id()));
+    let text = Baseline::of(&value(0.5, 0.0)).to_toml().expect("writable");
+    let cases = [
+        ("value = 0.5", "value = \"x\"", "`value`", "is the text \"x\"; give a number"),
+        ("engine = \"toy\"", "engine = 5", "`engine`", "is 5; give a text"),
+    ];
+    for (right, wrong, field, words) in cases {
+        assert!(text.contains(right), "{right}: {text}");
+        std::fs::write(&file, text.replacen(right, wrong, 1)).expect("a folder for temporary files");
+        let told = Baseline::read(&file).expect_err("no such value").to_string();
+        assert!(told.contains(field) && told.contains("line ") && told.contains(words) && told.contains("--save-baseline"), "{told}");
+    }
+    std::fs::remove_file(&file).expect("it was written");
+}
+
+#[test]
 fn a_baseline_survives_its_file() {
     let mut baseline = Baseline::of(&value(0.1 + 0.2, 1.0 / 3.0));
     let expires = Some(day("2027-01-31"));

@@ -5,7 +5,7 @@
 
 use crate::tolerance::SAME_TIME;
 use crate::{Description, Engine, Options, Refusal, Reply};
-use moreau_contact::files::read_text;
+use moreau_contact::files::{read_object, read_text};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::trajectory::Trajectory;
 use moreau_exact::{Error, Result};
@@ -148,10 +148,10 @@ impl Engine for Requests {
 /// Reads the description that goes with stored trajectories.
 ///
 /// # Errors
-/// [`Error::Read`], or [`Error::Json`] with the file's name.
+/// [`Error::Read`], or [`Error::Invalid`] with the field and the file's name.
 pub fn read_description(file: &Path) -> Result<Description> {
     let text = read_text(file)?;
-    serde_json::from_str(&text).map_err(|error| Error::from(error).in_file(file))
+    read_object(&text, "description").map_err(|error| error.in_file(file))
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use crate::process::{Limits, ProcessEngine};
 use crate::runner::Plan;
 use crate::{Check, Options, Report, runner};
-use moreau_contact::files::{read_text, write_atomically};
+use moreau_contact::files::{read_object, read_text, write_atomically};
 use moreau_exact::{Error, Result};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -48,7 +48,7 @@ impl Engines {
     /// Reads the list.
     ///
     /// # Errors
-    /// [`Error::Read`], [`Error::Json`], or [`Error::Invalid`] if two entries have one name or a command is empty.
+    /// [`Error::Read`], or [`Error::Invalid`] with the field; two entries have no one name, and no command is empty.
     pub fn read(file: &Path) -> Result<Self> {
         Engines::from_json(&read_text(file)?).map_err(|error| error.in_file(file))
     }
@@ -56,9 +56,9 @@ impl Engines {
     /// The list in a text.
     ///
     /// # Errors
-    /// [`Error::Json`], or [`Error::Invalid`] if two entries have one name or a command is empty.
+    /// [`Error::Invalid`] with the field; two entries have no one name, and no command is empty.
     pub fn from_json(text: &str) -> Result<Self> {
-        let engines: Engines = serde_json::from_str(text)?;
+        let engines: Engines = read_object(text, "engines.json")?;
         for (k, entry) in engines.engines.iter().enumerate() {
             if entry.command.is_empty() || engines.engines[..k].iter().any(|other| other.name == entry.name) {
                 let problem = format!("`{}` has no command or a name that is taken", entry.name);
@@ -129,7 +129,7 @@ impl Standing {
     /// Reads a stored standing.
     ///
     /// # Errors
-    /// [`Error::Read`] or [`Error::Json`] with the file's name.
+    /// [`Error::Read`], or [`Error::Invalid`] with the field and the file's name.
     pub fn read(file: &Path) -> Result<Self> {
         Standing::from_json(&read_text(file)?).map_err(|error| error.in_file(file))
     }
@@ -137,9 +137,9 @@ impl Standing {
     /// The standing in a text.
     ///
     /// # Errors
-    /// [`Error::Json`].
+    /// [`Error::Invalid`] with the field.
     pub fn from_json(text: &str) -> Result<Self> {
-        Ok(serde_json::from_str(text)?)
+        read_object(text, "scoreboard")
     }
 }
 

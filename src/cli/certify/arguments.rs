@@ -1,6 +1,7 @@
 //! What `moreau certify` is asked.
 
 use super::super::limits::{CommonOptions, default_tolerance};
+use super::super::number;
 use super::super::residual_names::RESIDUALS;
 use std::path::PathBuf;
 
@@ -22,7 +23,7 @@ pub struct Arguments {
     /// the folder of the answers NAME.solution.json; left out, the same folder.
     pub(super) solution: Option<PathBuf>,
     /// Largest residual accepted, relative to the scale of its contact.
-    #[arg(long, default_value = default_tolerance(), value_name = "NUMBER", allow_hyphen_values = true)]
+    #[arg(long, default_value = default_tolerance(), value_parser = number::real, value_name = "NUMBER", allow_hyphen_values = true)]
     pub(super) tolerance: f64,
     /// Prove, in fractions, how far the nearest problem is that impulses near these solve exactly; and by intervals, within which radius
     /// the problem itself has a solution, or why that is not proved, and how many dimensions the impulses with its velocity have; whether

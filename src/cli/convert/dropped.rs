@@ -23,7 +23,7 @@ pub fn by_fclib(file: &Path, problem: &ContactProblem, out: Option<&Path>, store
     let (fields, mut dropped) = (fields(&text), fields_without_place(&text));
     let is_named = fields.contains("name") && !problem.name().is_empty();
     if is_named && out.and_then(Path::file_stem).is_some_and(|stem| stem.to_string_lossy() != problem.name()) {
-        dropped.push(format!("the name `{}` (that of the file is read)", problem.name()));
+        dropped.push(format!("`{}` as the name (it is kept as `info/title`; the name of the file is read)", problem.name()));
     }
     if replaced && stored.solution.is_some() {
         dropped.push("the stored solution, which the given one replaces".into());

@@ -1,6 +1,6 @@
 //! The arguments of `moreau gate`.
 
-use crate::cli::Format;
+use crate::cli::{Format, number};
 use std::path::PathBuf;
 
 /// Judge a simulator: every check over a sweep of time steps, against its own model and against Coulomb–Signorini.
@@ -42,19 +42,19 @@ pub struct Arguments {
     #[arg(long = "option", value_name = "NAME=VALUE")]
     pub options: Vec<String>,
     /// Engines that run at once; the report is the same for every number.
-    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    #[arg(long, value_parser = number::count, value_name = "NUMBER", default_value_t = 1, allow_negative_numbers = true)]
     pub jobs: usize,
     /// Measure this often, perturbed by 1e-9, for the spread of each value; 3 with --save-baseline, otherwise 1.
-    #[arg(long, value_name = "NUMBER")]
+    #[arg(long, value_parser = number::count, value_name = "NUMBER", allow_negative_numbers = true)]
     pub repeat: Option<usize>,
     /// Seconds an engine may take for one request.
-    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, allow_hyphen_values = true)]
+    #[arg(long, value_parser = number::seconds, value_name = "SECONDS", default_value_t = 60.0, allow_hyphen_values = true)]
     pub time_limit: f64,
     /// Seconds an engine may take from its start to its first reply, for one that has much to load; --time-limit unless given.
-    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
+    #[arg(long, value_parser = number::seconds, value_name = "SECONDS", allow_hyphen_values = true)]
     pub start_limit: Option<f64>,
     /// The part of the checks that must be answered with pass or difference, in percent; without it at least one check.
-    #[arg(long, value_name = "PERCENT")]
+    #[arg(long, value_parser = number::real, value_name = "PERCENT", allow_negative_numbers = true)]
     pub require: Option<f64>,
     /// Compare with this baseline: exit code 1 only for what is worse.
     #[arg(long, value_name = "FILE")]

@@ -10,7 +10,7 @@ use std::path::Path;
 /// Replaces the section of this file; a file without the markers is refused.
 pub fn write(file: &Path) -> Result<Answer> {
     let (standings, causes) = board::stored()?;
-    let text = section::replaced(file, [BEGIN, END], &failures::section(&standings, &causes))?;
+    let text = section::replaced_by("--failures", file, [BEGIN, END], &failures::section(&standings, &causes))?;
     write_together(&[(file, text.as_bytes())])?;
     Ok(Answer::Yes)
 }

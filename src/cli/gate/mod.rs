@@ -8,6 +8,7 @@ mod selection;
 mod subject;
 
 use super::output::{keep_files, print, print_aside, style};
+use super::outputs::{self, HTML, JSON, JUNIT, TOML};
 use super::{Answer, Format};
 use crate::files::write_together;
 use crate::gate::baseline::{Baseline, Change, ChangeKind};
@@ -163,7 +164,16 @@ impl Arguments {
     /// it is read first, and that is how one tightens it.
     fn keep_files(&self) -> Result<()> {
         let inputs: Vec<&Path> = self.trajectory.iter().chain(&self.description).map(PathBuf::as_path).collect();
-        keep_files(&inputs, &self.outputs().collect::<Vec<_>>())
+        keep_files(&inputs, &self.outputs().collect::<Vec<_>>())?;
+        self.outputs().try_for_each(|(option, file)| {
+            let content = match option {
+                "--save-baseline" => TOML,
+                "--junit" => JUNIT,
+                "--html" => HTML,
+                _ => JSON,
+            };
+            outputs::require(option, Some(file), content)
+        })
     }
 
     /// Writes all named outputs, or none; a baseline only of a whole run.

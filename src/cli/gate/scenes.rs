@@ -3,6 +3,7 @@
 use crate::checks::text::counted;
 use crate::cli::Answer;
 use crate::cli::output::{print, style};
+use crate::cli::several::make_folder;
 use crate::files::write_atomically;
 use crate::gate::library::Requests;
 use crate::gate::runner::{self, Plan};
@@ -27,6 +28,7 @@ struct Request {
 
 /// Writes every scene that the checks ask for as a scene/1, once for each time step, and `index.json` with h and `sample_every` of each.
 pub fn write(folder: &Path, checks: &[&'static Check], sweep: &[f64]) -> Result<Answer> {
+    make_folder("--write-scenes", folder)?;
     let asked = Arc::new(Mutex::new(Vec::new()));
     let make = || -> Box<dyn Engine> {
         let inner = own::by_name("moreau-jean").expect("a built-in scheme");
@@ -35,7 +37,6 @@ pub fn write(folder: &Path, checks: &[&'static Check], sweep: &[f64]) -> Result<
     let plan = Plan { checks: checks.to_vec(), sweep: sweep.to_vec(), options: Options::new(), jobs: 1, repeats: 1, progress: &|| {} };
     runner::run(&make, &plan).map_err(|refusal| Error::Unsupported(refusal.to_string()))?;
     let asked = asked.lock().map(|asked| asked.clone()).unwrap_or_default();
-    std::fs::create_dir_all(folder).map_err(|source| Error::Write { file: folder.to_path_buf(), source })?;
     let mut distinct: Vec<(Scene, f64, usize)> = Vec::new();
     for request in asked {
         if !distinct.contains(&request) {

@@ -4,7 +4,7 @@ use super::super::Answer;
 use super::super::convert::fields_without_place;
 use super::super::output::{print, print_aside};
 use super::super::several::make_folder;
-use super::named::named;
+use super::named::{named, not_stored};
 use crate::files::write_together;
 use crate::problem::Solution;
 use crate::problems::{ALL, Stored, solution};
@@ -25,7 +25,7 @@ pub struct Arguments {
     /// The problem's name and the folder; with --all the folder alone.
     #[arg(num_args = 0..=2, value_names = ["NAME", "FOLDER"])]
     what: Vec<String>,
-    /// All problems that are stored.
+    /// All problems that are stored; those that are listed and too large to be stored are named on standard error.
     #[arg(long)]
     all: bool,
     /// The format.
@@ -79,6 +79,9 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     write_together(&together)?;
     let (problems, files) = (counted(problems, "problem"), counted(files.len(), "file"));
     print(&format!("{problems} in {files} in {}\n", folder.display()))?;
+    if arguments.all {
+        print_aside(&not_stored(ALL.iter().filter(|stored| stored.problem.is_none()).map(|stored| stored.name)));
+    }
     Ok(Answer::Yes)
 }
 

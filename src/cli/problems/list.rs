@@ -2,7 +2,8 @@
 
 use super::super::near::suggestion;
 use super::super::output::{print, table};
-use super::super::{Answer, Format, section};
+use super::super::{Answer, Format, number, section};
+use super::named::not_stored;
 use crate::files::write_together;
 use crate::problems::{ALL, Known, Record};
 use crate::report::json::pretty;
@@ -24,10 +25,10 @@ pub struct Arguments {
     #[arg(long, value_name = "WORD")]
     velocity: Option<String>,
     /// Those with at least so many contacts.
-    #[arg(long, value_name = "NUMBER")]
+    #[arg(long, value_parser = number::whole, value_name = "NUMBER", allow_negative_numbers = true)]
     from: Option<usize>,
     /// Those with at most so many contacts.
-    #[arg(long, value_name = "NUMBER")]
+    #[arg(long, value_parser = number::whole, value_name = "NUMBER", allow_negative_numbers = true)]
     to: Option<usize>,
     /// Those at which three or more solvers fail.
     #[arg(long)]
@@ -117,7 +118,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         write_together(&[(file.as_path(), text.as_bytes())])?;
     }
     print(&match arguments.format {
-        Format::Text => table(list(&lines)),
+        Format::Text => table(list(&lines) + &not_stored(lines.iter().filter(|line| !line.stored).map(|line| line.name.as_str()))),
         Format::Json => pretty(&lines)?,
     })?;
     Ok(Answer::Yes)

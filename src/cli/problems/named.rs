@@ -11,3 +11,14 @@ pub(super) fn named(name: &str) -> Result<&'static Stored> {
         Error::Unsupported(format!("no problem `{name}`; {cure}"))
     })
 }
+
+/// A line that names the problems whose record alone is stored; nothing where there is none.
+pub fn not_stored<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let names: Vec<&str> = names.collect();
+    if names.is_empty() {
+        return String::new();
+    }
+    let count = if names.len() == 1 { "1 of them is".into() } else { format!("{} of them are", names.len()) };
+    let names = names.join(", ");
+    format!("{count} listed and not exported, too large to be stored: {names}; `moreau problems show NAME` says what makes each\n")
+}

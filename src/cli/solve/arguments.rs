@@ -1,6 +1,7 @@
 //! What `moreau solve` is asked.
 
 use super::super::limits::CommonOptions;
+use super::super::number;
 use super::super::problem_law::LawOption;
 use super::super::residual_names::RESIDUALS;
 use super::super::solver_options::ToleranceOption;
@@ -23,7 +24,7 @@ pub struct Arguments {
     #[command(flatten)]
     pub(super) tolerance: ToleranceOption,
     /// Most sweeps, steps or pivots of an iterative solver; its own number if absent.
-    #[arg(long, value_name = "NUMBER")]
+    #[arg(long, value_parser = number::count, value_name = "NUMBER", allow_negative_numbers = true)]
     pub(super) iterations: Option<usize>,
     /// Start from the impulses of this solution/1, in place of zero: contact by contact where it and the problem have `keys`, by position
     /// elsewhere; not with solvers that pivot, go through all patterns or begin inside the cone.
@@ -59,7 +60,9 @@ answer is written all the same, with its residuals. In JSON, \"status\" tells wh
 limit, of an answer that the certificate rejects, the latter after the most iterations or the time; and
 without an answer refused (not a problem for this solver), breakdown, ray, limit. Where it is proved that
 there is no solution, it is infeasible, and \"no_solution\" has the proof. Of a folder the code is the worst of its
-problems; 2 where a file cannot be read, and the others are solved all the same.
+problems; 2 where a file cannot be read, and the others are solved all the same. A problem that is proved to have
+no solution counts as 1, for it has no answer; in `moreau bench`, which judges solvers and not problems, it
+does not count.
 
 The smallest problem, a block of 1 kg that slides and arrives at 1 m/s:
   {\"schema\": \"contact-problem/1\", \"name\": \"block\", \"dimension\": 2, \"law\": \"coulomb\",

@@ -9,6 +9,7 @@ pub use arguments::Arguments;
 
 use super::kind::read_problem;
 use super::output::{keep_input, no_answer, print, print_aside, style};
+use super::outputs::{self, JSON};
 use super::remarks::remark;
 use super::{Answer, Format, progress};
 use crate::Result;
@@ -27,6 +28,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         return folder::run(arguments, &*solver);
     }
     keep_input(&arguments.problem, "--out", arguments.out.as_deref())?;
+    outputs::require("--out", arguments.out.as_deref(), JSON)?;
     let problem = arguments.law.pose(read_problem(&arguments.problem, USAGE)?)?;
     remark(&arguments.problem, &problem, arguments.common.format);
     let start = arguments.start.as_deref().map(|file| start::read(arguments, &*solver, file, &problem)).transpose()?;

@@ -48,7 +48,7 @@ pub fn solved(
     problem: Posed,
     start: Option<&DVector<f64>>,
 ) -> Result<Outcome> {
-    posed::require_memory(&problem)?;
+    posed::require_memory(&problem).map_err(|error| error.in_file(file))?;
     let (answer, seen) = arguments.tolerance.within_time(|interrupt| watched(interrupt, || posed::solve(&problem, solver, start)));
     let solution = match answer.map_err(|error| error.in_file(file)) {
         Ok(solution) => solution,

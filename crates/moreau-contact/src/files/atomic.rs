@@ -67,19 +67,19 @@ impl Staged<'_> {
 fn stage<'a>(file: &Path, contents: &'a [u8], staged: &mut Vec<Staged<'a>>) -> std::io::Result<()> {
     if let Ok(metadata) = fs::metadata(file) {
         if metadata.is_dir() {
-            return Err(IoError::other("the path is a directory"));
+            return Err(IoError::other("it is a folder; name a file in it"));
         }
         if !metadata.is_file() {
             staged.push(Staged::Stream { place: file.into(), contents });
             return Ok(());
         }
         if metadata.permissions().readonly() {
-            return Err(IoError::other("the file is read-only"));
+            return Err(IoError::other("the file is read-only; make it writable, or name another file"));
         }
     }
     let place = destination(file)?;
     if staged.iter().any(|other| matches!(other, Staged::Beside { place: taken, .. } if *taken == place)) {
-        return Err(IoError::other("two results are to go to this file"));
+        return Err(IoError::other("two results are to go to this file; give each its own"));
     }
     let name = place.file_name().ok_or_else(no_name)?.to_string_lossy();
     let temporary = place.with_file_name(format!(".{name}.{}.part", std::process::id()));
@@ -98,7 +98,7 @@ fn destination(file: &Path) -> std::io::Result<PathBuf> {
 }
 
 fn no_name() -> IoError {
-    IoError::other("the path has no file name")
+    IoError::other("the path has no file name; name a file")
 }
 
 #[cfg(test)]

@@ -3,7 +3,9 @@
 mod atomic;
 mod schema;
 mod text;
+mod words;
 
 pub use atomic::{is_same_file, write_atomically, write_together};
 pub use schema::{read_object, read_schema, schema_of};
 pub use text::{read_json, read_problem, read_text};
+pub use words::{Told, told};

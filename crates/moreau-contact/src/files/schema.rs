@@ -1,5 +1,6 @@
 //! JSON in: errors that name the field, and files with a schema name.
 
+use super::words::{Told, told};
 use moreau_exact::{Error, Result};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -73,7 +74,8 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error, path: Option<&
     }
     let goes_on = error.to_string().starts_with("trailing characters");
     // what stands after a whole file is no JSON; after what a list has room for it is
-    let is_list_too_long = goes_on && serde_json::from_str::<serde_json::Value>(text).is_ok();
+    let is_json = || serde_json::from_str::<serde_json::Value>(text).is_ok();
+    let is_list_too_long = goes_on && is_json();
     let (problem, cure) = if is_list_too_long {
         let place = format!("at line {} column {}", error.line(), error.column());
         (format!("holds a list with an entry too many {place}"), format!("take it out, or see the schema {schema}"))
@@ -82,8 +84,16 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error, path: Option<&
     } else if error.to_string().starts_with("recursion limit") {
         let problem = format!("holds lists and objects within each other too deep to be read: {error}");
         (problem, format!("nest at most {DEEPEST} of them, the whole file counted"))
+    } else if error.to_string().starts_with("expected value") && is_json() {
+        // the reader says so of a number where it takes a word or an object
+        let place = format!("at line {} column {}", error.line(), error.column());
+        (format!("is no value that can stand there, {place}"), format!("give what the schema {schema} has there"))
     } else if error.classify() == Category::Syntax {
-        (format!("not valid JSON: {error}"), cure_of_syntax(word_at(text, error.line(), error.column())))
+        let said = error.to_string().replace("expected ident", "a word that JSON does not have");
+        (format!("not valid JSON: {said}"), cure_of_syntax(word_at(text, error.line(), error.column())))
+    } else if let Some(Told { problem, cure }) = told(&without_place(&error)) {
+        let place = format!("at line {} column {}", error.line(), error.column());
+        (format!("{problem}, {place}"), format!("{cure}; see the schema {schema}"))
     } else {
         let meant = nearest(&error.to_string()).map_or(String::new(), |known| format!("did you mean `{known}`? "));
         (error.to_string(), format!("{meant}see the schema {schema}"))
@@ -94,6 +104,12 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error, path: Option<&
         None if error.classify() == Category::Syntax => Error::Unsupported(format!("{problem}; one object in braces is a whole file")),
         None => Error::Json(error),
     }
+}
+
+/// The message of an error before the place that it ends with.
+fn without_place(error: &serde_json::Error) -> String {
+    let (said, place) = (error.to_string(), format!(" at line {} column {}", error.line(), error.column()));
+    said.strip_suffix(&place).map_or(said.clone(), String::from)
 }
 
 /// Lists and objects within each other that the reader of JSON takes.
@@ -204,7 +220,7 @@ mod tests {
 
     #[test]
     fn errors_name_the_field() {
-        assert!(message(r#"{"schema":"pair/1","first":[1,"x"],"second":2}"#).contains("field `first[1]`: invalid type"));
+        assert!(message(r#"{"schema":"pair/1","first":[1,"x"],"second":2}"#).contains("field `first[1]`: is the text \"x\", at line 1"));
         assert!(message("{\"schema\":\"pair/1\",\n\"first\":[1],\n\"second\": 1e999}").contains("`second`"));
         assert!(message(r#"{"schema":"pair/1","first":[1],"secnd":2}"#).contains("field `secnd`: unknown"));
         assert!(message(r#"{"schema":"pair/1","first":[1],"secnd":2}"#).contains("did you mean `second`? see the schema"));
@@ -258,7 +274,7 @@ mod tests {
         let more = read_schema::<Pairs>(&of("[[1,2],[3,4,5]]"), "pairs/1").unwrap_err().to_string();
         assert!(more.contains("field `two[1]") && more.contains("an entry too many") && !more.contains("trailing"), "{more}");
         let fewer = read_schema::<Pairs>(&of("[[1,2],[3]]"), "pairs/1").unwrap_err().to_string();
-        assert!(fewer.contains("field `two[1]") && fewer.contains("expected an array of length 2"), "{fewer}");
+        assert!(fewer.contains("field `two[1]") && fewer.contains("give a list of 2 entries"), "{fewer}");
     }
 
     #[test]

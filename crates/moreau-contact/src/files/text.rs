@@ -65,7 +65,10 @@ fn read_while(file: &Path, limit: u64, cure: &str, sensible: impl Fn(&[u8]) -> b
     if bytes.len() as u64 > limit {
         return Err(too_large(format!("more than {}", size(limit.into()))).in_file(file));
     }
-    String::from_utf8(bytes).map_err(|error| failed(IoError::new(ErrorKind::InvalidData, error.utf8_error())))
+    String::from_utf8(bytes).map_err(|error| {
+        let place = error.utf8_error().valid_up_to();
+        failed(IoError::new(ErrorKind::InvalidData, format!("the file is not text in UTF-8 at byte {place}; save it as UTF-8")))
+    })
 }
 
 /// All bytes of the source, but at most one more than the limit. Reading stops early if the first part is not `sensible`.
@@ -80,7 +83,7 @@ fn read_up_to(source: impl Read, limit: u64, sensible: impl Fn(&[u8]) -> bool) -
             Err(error) => return Err(error),
         };
         if part[..count].contains(&0) {
-            return Err(IoError::new(ErrorKind::InvalidData, "the file is not text, because it holds a byte 0"));
+            return Err(IoError::new(ErrorKind::InvalidData, "the file is not text, because it holds a byte 0; give a text file"));
         }
         let is_first = bytes.is_empty();
         bytes.extend_from_slice(&part[..count]);

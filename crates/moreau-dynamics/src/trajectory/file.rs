@@ -11,8 +11,8 @@
 //! second body to the first and the impulse acting on the first. `steps` holds the worst residual of every step, not of every sample.
 
 use crate::scenes::Scene;
-use moreau_contact::files::read_text;
-use moreau_exact::{Error, Result};
+use moreau_contact::files::{read_schema, read_text};
+use moreau_exact::Result;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -106,23 +106,13 @@ pub struct ContactRecord {
     pub impulse: [f64; 3],
 }
 
-/// Only the field every format has, so that another version is named before its fields are found unknown.
-#[derive(Deserialize)]
-struct Header {
-    schema: String,
-}
-
 impl Trajectory {
     /// Parses and validates the text of a `trajectory/1` file.
     ///
     /// # Errors
-    /// [`Error::Json`] with line and column, or [`Error::Invalid`] naming the field and the cure.
+    /// [`Error::Invalid`] naming the field, with line and column where it is no JSON, and the cure.
     pub fn from_json(text: &str) -> Result<Self> {
-        let Header { schema } = serde_json::from_str(text)?;
-        if schema != SCHEMA {
-            return Err(Error::invalid("schema", format!("is `{schema}`"), format!("this program reads `{SCHEMA}`")));
-        }
-        let trajectory: Trajectory = serde_json::from_str(text)?;
+        let trajectory: Trajectory = read_schema(text, SCHEMA)?;
         trajectory.validate()?;
         Ok(trajectory)
     }

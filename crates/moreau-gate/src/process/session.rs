@@ -38,7 +38,7 @@ pub struct Fault {
 /// What a child did wrong.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fate {
-    /// The program is not there or may not be run.
+    /// The program is not there or may not be run; the text names it.
     NotStarted(String),
     /// The child wrote no whole line within the time limit; the texts are the limit and the beginning of the unfinished line.
     TimedOut(String, String),
@@ -64,7 +64,7 @@ impl Session {
     /// # Errors
     /// [`Fate::NotStarted`].
     pub fn start(command: &[String], limits: Limits) -> Result<Session, Fault> {
-        let not_started = |error: std::io::Error| Fault { cause: Fate::NotStarted(error.to_string()), last_words: String::new() };
+        let not_started = |error| Fault { cause: Fate::NotStarted(words::not_started(command, &error)), last_words: String::new() };
         let (group, streams) = Group::start(command).map_err(not_started)?;
         let (sender, events, begun) = read_lines(streams.output, limits.line);
         let requests = Some(write_lines(streams.input, sender));

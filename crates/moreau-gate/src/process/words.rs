@@ -1,5 +1,8 @@
 //! What a child wrote, short enough for a report and without characters that would steer a terminal.
 
+use std::io::{Error, ErrorKind};
+use std::path::{MAIN_SEPARATOR, Path};
+
 /// Characters of a line that a report shows.
 const BEGINNING: usize = 120;
 /// Lines of standard error that a report shows.
@@ -16,6 +19,25 @@ pub(super) fn beginning(line: &[u8]) -> String {
 /// A message of an engine.
 pub(super) fn message(text: &str) -> String {
     shortened(text.trim(), MESSAGE)
+}
+
+/// Why a command cannot be started, and what to do about it.
+pub(super) fn not_started(command: &[String], error: &Error) -> String {
+    let program = command.first().map_or("", String::as_str);
+    let shown = shortened(program, BEGINNING);
+    let is_path = program.contains(MAIN_SEPARATOR);
+    match error.kind() {
+        _ if is_path && Path::new(program).is_dir() => format!("`{shown}` is a folder; name a program in it"),
+        ErrorKind::NotFound if is_path => {
+            format!("there is no program `{shown}`; look at its path, which begins in the folder of this command")
+        }
+        ErrorKind::NotFound => format!("there is no program `{shown}` on the search path; install it, or give its path, as `./{shown}`"),
+        ErrorKind::PermissionDenied => {
+            format!("`{shown}` may not be run; make it a program (chmod +x), or name first what runs it, as `python3 {shown}`")
+        }
+        // a text without its first line, or a program of another machine
+        _ => format!("`{shown}` is no program of this machine ({error}); name first what runs it, as `python3 {shown}`"),
+    }
 }
 
 /// The last lines that are not blank, joined by ` | `.
@@ -52,6 +74,17 @@ mod tests {
         assert_eq!(beginning(b"\x1b[2J\xff"), "\u{fffd}[2J\u{fffd}");
         assert_eq!(message(&"x".repeat(2000)).chars().count(), 2000);
         assert_eq!(message(&"x".repeat(2001)).chars().count(), 2001);
+    }
+
+    #[test]
+    fn what_cannot_be_started_is_told_by_its_name_with_a_cure() {
+        let command = |program: &str| vec![program.to_string(), "--stdio".into()];
+        let told = |program: &str, number: i32| not_started(&command(program), &Error::from_raw_os_error(number));
+        assert!(told("./engine", 2).contains("no program `./engine`; look at its path"));
+        assert!(told("engine", 2).contains("no program `engine` on the search path; install it"));
+        assert!(told("engine.py", 13).contains("`engine.py` may not be run") && told("engine.py", 13).contains("python3 engine.py"));
+        assert!(told("./engine", 8).contains("no program of this machine"));
+        assert!(told("./", 13).contains("`./` is a folder; name a program in it"));
     }
 
     #[test]

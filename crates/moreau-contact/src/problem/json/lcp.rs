@@ -78,7 +78,7 @@ mod tests {
         };
         refused(&TWO.replace("[-1,2]", "[-1]"), "`matrix`");
         refused(&TWO.replace("[0,1]]", "[0]]"), "matrix.rows[1]");
-        refused(&TWO.replace("{\"shape\":[2,2],\"rows\":[[2,1],[0,1]]}", "[[2,1],[0,1]]"), "expected a matrix as {\"shape\"");
+        refused(&TWO.replace("{\"shape\":[2,2],\"rows\":[[2,1],[0,1]]}", "[[2,1],[0,1]]"), "give a matrix as {\"shape\"");
         refused(&TWO.replace("{\"shape\":[2,2],\"rows\":[[2,1],[0,1]]}", "null"), "null instead of a matrix");
         refused(&TWO.replace("vector", "vectr"), "vectr");
         refused(
