@@ -33,7 +33,7 @@ const CAUSES: [(&str, &[&str]); 32] = [
     ("infinity", &["`points[0][0]` is Infinity"]),
     ("overflow", &["`points", "number out of range"]),
     ("null", &["`points", "null"]),
-    ("text", &["`points", "string \"1\""]),
+    ("text", &["`points", "the text \"1\""]),
     ("sizes", &["`points`", "has 2 rows"]),
     ("row-sizes", &["`points`", "of the same size"]),
     ("half-line", &["ended without a reply", "in the middle of the line", "\"poi`"]),

@@ -3,22 +3,24 @@
 //! ```text
 //!     d          what an exact answer would not have: the impulse of a contact that opens, or what is outside of its disk    [N·s]
 //!     v_k        s_k/ρ_k, and at a contact without an impulse, which may move as it likes while it opens, w_k where it is larger  [m/s]
-//!     ‖d‖        is held against   ‖d‖ v_k/|(W d)_k| ,   the smallest over the rows k of the other contacts                  [N·s]
+//!     ‖d‖        is held against   ‖d‖ v_k/(ε |(W d)_k|) ,   the smallest over the rows k of the other contacts              [N·s]
 //! ```
 //! Without d the answer is another one, and velocities differ by W d. Where every part that is taken away moves no row k by more than
 //! τ v_k, and every row whose impulse stays has a velocity within τ s_k/ρ_k, what is left solves *exactly* a problem whose given velocities
 //! differ by no more than the sum of these. An impulse that is small by its own size alone says nothing of the kind.
 //!
-//! A linear complementarity problem may have any matrix, and it is always asked there; of contacts where W is not shown to be one of
-//! bodies, by its entries, |W_ij|² ≤ W_ii W_jj, and its definiteness; and never where W is made of mass and Jacobian. There it
+//! with ε = 1. A linear complementarity problem may have any matrix, and it is always asked there; so it is of contacts where an entry is
+//! larger than those of bodies, |W_ij|² ≤ W_ii W_jj. Of others ε tells how far W is from a positive semidefinite one, as W + ε diag W is:
+//! see [`semidefinite`](super::semidefinite). Of a W that is made of mass and Jacobian it is never asked. There it
 //! moves another contact by no more than τ √(W_jj/W_ii) of its own scale, which is much where a light contact stands beside a heavy one:
 //! then the answer is one for given velocities that differ by as much, and `certify --prove` says by how much.
 
 use super::part::Part;
 use super::scales::Scales;
-use super::semidefinite::is_semidefinite;
+use super::semidefinite::indefiniteness;
 use crate::cones::second_order::{length, tangential_norm};
 use crate::problem::{ContactProblem, Law};
+use crate::tolerance::certificate::LEVELS;
 use std::cell::RefCell;
 
 /// An answer whose impulses are asked how far they reach.
@@ -35,12 +37,17 @@ pub(super) struct Reach<'a> {
     moved: RefCell<Vec<f64>>,
 }
 
-/// Whether an impulse that is small at its own contact may move another one far: W is one of bodies where it has their entries, and
-/// bodies are found in its blocks or it is positive semidefinite.
-fn overreaches(problem: &ContactProblem) -> bool {
-    let find =
-        |problem: &ContactProblem| problem.velocity_factor().is_some() || is_semidefinite(problem.delassus(), problem.rows_per_contact());
-    problem.overreaches() || !problem.is_semidefinite(find)
+/// How far W is from one of bodies: 1 where an entry is too large for them; else how far it is from a semidefinite one, which bodies in
+/// its blocks may tell. What is too large to tell is taken for one of bodies.
+fn strangeness(problem: &ContactProblem) -> f64 {
+    if problem.overreaches() {
+        return 1.0;
+    }
+    problem.indefiniteness(|problem| {
+        let by_bodies = problem.delassus().stored_blocks().zip(problem.velocity_factor()).map(|(w, factor)| factor.deviation(w));
+        let near = by_bodies.filter(|deviation| *deviation <= LEVELS[1]);
+        near.or_else(|| indefiniteness(problem.delassus(), problem.rows_per_contact())).unwrap_or(0.0)
+    })
 }
 
 impl<'a> Reach<'a> {
@@ -54,16 +61,23 @@ impl<'a> Reach<'a> {
     /// itself is asked of the normal row, but where a push is taken away as a whole, `is_whole`, by which a contact that opens does so all
     /// the more or by less than its own scale.
     pub fn of(&self, contact: usize, taken: &[f64], is_whole: bool) -> Part {
-        if taken.iter().all(|d| *d == 0.0) || !self.is_asked() {
+        let strangeness = if taken.iter().all(|d| *d == 0.0) { 0.0 } else { self.strangeness() };
+        if strangeness == 0.0 {
             return Part::default();
         }
         let mut moved = self.moved.borrow_mut();
-        moved.clear();
         moved.resize(self.problem.rows(), 0.0);
         self.problem.delassus().of_contacts().add_contact(contact, taken, &mut moved);
-        let mut farthest = Part::default();
-        for (k, moved) in moved.chunks_exact(taken.len()).enumerate().filter(|(_, moved)| moved.iter().any(|u| *u != 0.0)) {
+        let (mut farthest, rows) = (Part::default(), taken.len());
+        let stored = self.problem.delassus().stored_blocks().map(|blocks| blocks.met(contact));
+        let all = if stored.is_none() { 0..self.problem.contacts() } else { 0..0 };
+        for k in stored.unwrap_or_default().iter().copied().chain(all) {
+            let moved = &mut moved[k * rows..(k + 1) * rows];
+            if moved.iter().all(|u| *u == 0.0) {
+                continue;
+            }
             let [normal, tangential] = self.at(k, moved);
+            moved.fill(0.0);
             if k != contact {
                 farthest = farthest.worse(normal).worse(tangential);
             } else if !is_whole || taken[0] < 0.0 {
@@ -73,12 +87,12 @@ impl<'a> Reach<'a> {
         if farthest.relative() == 0.0 {
             return Part::default();
         }
-        let value = length(taken[0], tangential_norm(taken));
-        Part { value, scale: value * (farthest.scale / farthest.value), floor: value * (farthest.floor / farthest.value) }
+        let (value, share) = (length(taken[0], tangential_norm(taken)), strangeness * farthest.value);
+        Part { value, scale: value * (farthest.scale / share), floor: value * (farthest.floor / share) }
     }
 
-    fn is_asked(&self) -> bool {
-        if self.thoroughly { overreaches(self.problem) } else { self.problem.overreaches() }
+    fn strangeness(&self) -> f64 {
+        if self.thoroughly { strangeness(self.problem) } else { f64::from(u8::from(self.problem.overreaches())) }
     }
 
     /// What the velocity W d of contact k is held against, along its normal and along its tangents.

@@ -1,6 +1,6 @@
 //! Tests of the reach: both sides of its limit under every law, and what an accepted answer is worth where entries of W are of any size.
 
-use super::overreaches;
+use super::strangeness;
 use crate::certificate::draw::Draw;
 use crate::certificate::{by_contact, residuals};
 use crate::problem::{ContactProblem, Law, Lcp, Solution};
@@ -76,19 +76,19 @@ fn a_pull_that_counts_as_none_holds_its_own_contact_no_less_than_others() {
 fn only_where_w_is_not_shown_to_be_one_of_bodies_is_it_asked() {
     // one contact of two rows
     let stored = |w: DMatrix<f64>| ContactProblem::new(w, DVector::zeros(2)).rows_per_contact(2).friction(vec![0.0]).build().unwrap();
-    let asked = |w: DMatrix<f64>| overreaches(&stored(w));
+    let asked = |w: DMatrix<f64>| strangeness(&stored(w)) == 1.0;
     assert!(!asked(dmatrix![1e-20, 0.5; 0.5, 1e20]) && !asked(dmatrix![1e-20, 1.0; 1.0, 1e20]), "a light contact beside a heavy one");
     assert!(asked(dmatrix![1e-20, 2.0; 2.0, 1e20]), "with the entries of bodies it is none");
     assert!(asked(dmatrix![1.0, 8.0; -8.0, 1.0]) && !asked(dmatrix![1.0, 2.0; -2.0, 1.0]), "spinning bodies are asymmetric");
     assert!(asked(dmatrix![1.0, 1.0; 0.0, 0.0]) && asked(-DMatrix::identity(2, 2)));
     let any = stored(DMatrix::identity(2, 2)).into_builder().of_any_matrix().build().unwrap();
-    assert!(overreaches(&any) && overreaches(&any.into_builder().build().unwrap()), "what is said of it stays");
+    assert!(strangeness(&any) == 1.0 && strangeness(&any.into_builder().build().unwrap()) == 1.0, "what is said of it stays");
     // of mass and Jacobian nothing is looked at
     let made = ContactProblem::from_dynamics(dmatrix![2.0], dmatrix![1.0; -1.0], &dvector![0.0]).rows_per_contact(1).build().unwrap();
     assert!(made.known_overreach() == Some(false) && stored(DMatrix::identity(2, 2)).known_overreach().is_none());
     assert!(made.clone().into_builder().build().unwrap().known_overreach() == Some(false));
     let replaced = made.into_builder().delassus(dmatrix![0.0, 1.0; 1.0, 0.0]).build().unwrap();
-    assert!(overreaches(&replaced));
+    assert_eq!(strangeness(&replaced), 1.0);
 }
 
 #[test]

@@ -1,34 +1,43 @@
-//! Whether W is positive semidefinite to rounding, as the Delassus operator of bodies is.
+//! How far W is from a positive semidefinite one, as the Delassus operator of bodies is.
 //!
 //! ```text
-//!     ½(W + Wᵀ) + c diag W = L Lᵀ  runs to its end ,     c = n γ_{2n+8}          n rows
+//!     the least ε of 0, 2⁻²⁶, 2⁻²⁰, 2⁻¹³ and 1 for which ½(W + Wᵀ) + (ε + c) diag W = L Lᵀ runs to its end ,     c = n γ_{2n+8}
 //! ```
-//! With D = diag W the rounding of an entry is γ √(W_ii W_jj), and so is what Cholesky's factorisation adds to it: the eigenvalues of
-//! D^(−½) W D^(−½) move by no more than n γ, whatever the sizes of the rows are. A W of bodies that was rounded passes, and one with an
-//! eigenvalue below −2c does not. An island is looked at with the others: its fronts meet no other's.
+//! with n rows. With D = diag W the rounding of an entry is γ √(W_ii W_jj), and so is what Cholesky's factorisation adds to it: the
+//! eigenvalues of D^(−½) W D^(−½) move by no more than n γ, whatever the sizes of the rows are. So ε = 0 for a W of bodies with all of its
+//! digits, and for one that was written with six digits it is 2⁻¹³. An island is looked at with the others: its fronts meet no other's.
 
 use crate::fronts::{Factor, Front, Tree, Work};
 use crate::operator::{BlockSparse, Lists, Operator};
-use crate::tolerance::certificate::{LARGEST_ASKED, gamma};
+use crate::tolerance::certificate::{LARGEST_FRONT, LEVELS, MOST_MERGED, gamma};
 use crate::watch;
 
-/// Whether that is shown; of more rows than [`LARGEST_ASKED`], and where the factor takes more memory than is allowed, it is not. Nobody's
-/// word ends it early.
-pub(super) fn is_semidefinite(w: &Operator, rows_per_contact: usize) -> bool {
+/// ε, or nothing where W is too large to tell. Nobody's word ends it early.
+pub(super) fn indefiniteness(w: &Operator, rows_per_contact: usize) -> Option<f64> {
     let rows = w.shape()[0];
-    if rows > LARGEST_ASKED {
-        return false;
-    }
     let groups = vec![rows_per_contact; rows / rows_per_contact.max(1)];
-    let lift = rows as f64 * gamma(2 * rows + 8);
     let sparse = if let Operator::Dense(dense) = w { BlockSparse::of_dense(dense, rows_per_contact) } else { None };
-    let mut tree = Tree::default();
+    let mut tree = Tree::within(MOST_MERGED);
     watch::unwatched(|| {
-        match sparse.as_ref().or_else(|| w.blocks()) {
-            Some(blocks) => tree.plan(&groups, &neighbours(blocks)),
-            None => tree.plan_one_front(&groups),
+        let blocks = sparse.as_ref().or_else(|| w.blocks());
+        blocks.into_iter().for_each(|blocks| tree.plan(&groups, &neighbours(blocks)));
+        if blocks.is_none() || tree.is_given_up {
+            if rows > LARGEST_FRONT {
+                return None;
+            }
+            tree.plan_one_front(&groups);
         }
-        Factor::default().compute(&tree, true, &mut Work::default(), |node, front| assemble(w, lift, &tree, node, front))
+        let (mut factor, mut work) = (Factor::default(), Work::default());
+        for level in LEVELS {
+            let lift = level + rows as f64 * gamma(2 * rows + 8);
+            if factor.compute(&tree, true, &mut work, |node, front| assemble(w, lift, &tree, node, front)) {
+                return Some(level);
+            }
+            if factor.was_left {
+                return None;
+            }
+        }
+        Some(1.0)
     })
 }
 
@@ -89,16 +98,16 @@ mod tests {
     }
 
     #[test]
-    fn w_of_redundant_contacts_of_light_and_heavy_bodies_is_and_one_whose_least_eigenvalue_is_below_rounding_is_not() {
+    fn redundant_contacts_of_light_and_heavy_bodies_are_semidefinite_and_a_little_less_is_told() {
         for (contacts, s) in [(1, 0), (2, 6), (5, 6), (40, 8)] {
             let w = chain(contacts, s);
             let n = w.nrows();
             for by_blocks in if contacts > 5 { vec![false, true] } else { vec![false] } {
-                assert!(is_semidefinite(&stored(&w, by_blocks), 3), "{contacts} {s} {by_blocks}");
+                assert_eq!(indefiniteness(&stored(&w, by_blocks), 3), Some(0.0), "{contacts} {s} {by_blocks}");
                 for row in [0, n / 2, n - 1] {
                     let mut less = w.clone();
-                    less[(row, row)] *= 1.0 - 4.0 * n as f64 * n as f64 * gamma(2 * n + 8);
-                    assert!(!is_semidefinite(&stored(&less, by_blocks), 3), "{contacts} {s} {by_blocks} {row}");
+                    less[(row, row)] *= 1.0 - LEVELS[1] / 2.0;
+                    assert_eq!(indefiniteness(&stored(&less, by_blocks), 3), Some(LEVELS[1]), "{contacts} {s} {by_blocks} {row}");
                 }
             }
         }
@@ -106,9 +115,31 @@ mod tests {
 
     #[test]
     fn rows_without_entries_are_left_out_and_only_the_symmetric_part_counts() {
-        let of = |entries: &[f64]| Operator::Dense(DMatrix::from_row_slice(2, 2, entries).into());
-        assert!(is_semidefinite(&of(&[0.0, 0.0, 0.0, 1.0]), 1) && is_semidefinite(&of(&[0.0; 4]), 2));
-        assert!(is_semidefinite(&of(&[1.0, 3.0, -3.0, 1.0]), 1) && !is_semidefinite(&of(&[1.0, 3.0, 3.0, 1.0]), 1));
-        assert!(!is_semidefinite(&of(&[0.0, 1.0, 1.0, 1.0]), 1) && !is_semidefinite(&of(&[-1.0, 0.0, 0.0, 1.0]), 1));
+        let of = |entries: &[f64], rows: usize| indefiniteness(&Operator::Dense(DMatrix::from_row_slice(2, 2, entries)), rows);
+        assert_eq!([of(&[0.0, 0.0, 0.0, 1.0], 1), of(&[0.0; 4], 2), of(&[1.0, 3.0, -3.0, 1.0], 1)], [Some(0.0); 3]);
+        for none in [[1.0, 3.0, 3.0, 1.0], [0.0, 1.0, 1.0, 1.0], [-1.0, 0.0, 0.0, 1.0]] {
+            assert_eq!(of(&none, 1), Some(1.0), "{none:?}");
+        }
+    }
+
+    #[test]
+    fn every_level_has_two_sides() {
+        for (below, above) in LEVELS.into_iter().zip(LEVELS.into_iter().skip(1).chain([1.0])) {
+            let of = |e: f64| indefiniteness(&Operator::Dense(DMatrix::from_row_slice(2, 2, &[1e-9, 1.0 + e, 1.0 + e, 1e9])), 1);
+            assert_eq!([of(below), of(below * 1.01 + 1e-13)], [Some(below), Some(above)]);
+        }
+    }
+
+    #[test]
+    fn what_is_too_large_is_not_told() {
+        // every contact meets every third one: no order leaves zeros
+        let n = LARGEST_FRONT + 3;
+        let mut blocks = BlockSparse::with_capacity(1, n, n);
+        for k in 0..n {
+            blocks.begin(k);
+            (0..n).filter(|j| j % 3 == k % 3).for_each(|j| blocks.push(j, k, &[if j == k { n as f64 } else { 1.0 }]).unwrap());
+        }
+        blocks.finish(n);
+        assert_eq!(indefiniteness(&blocks.into(), 1), None);
     }
 }

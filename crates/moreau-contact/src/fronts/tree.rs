@@ -44,7 +44,7 @@ pub(crate) struct Tree {
     pub node_of: Vec<usize>,
     /// Entries of the stored factor.
     pub storage: usize,
-    /// Whether there is none: its factor takes more memory than is allowed, or whoever watches the solver ended it.
+    /// Whether there is none: its factor takes more memory or work than is allowed, or whoever watches the solver ended it.
     pub is_given_up: bool,
     order: Order,
 }
@@ -57,6 +57,8 @@ struct Order {
     /// Whether the tree is that of this matrix.
     is_planned: bool,
     order: Vec<usize>,
+    /// Squares of the lists that may be merged before it is given up, if that is limited.
+    most: Option<usize>,
     /// By group, the groups that it meets when it is eliminated, growing in number.
     later: Vec<Vec<usize>>,
     /// Of every group its place in the order.
@@ -79,6 +81,11 @@ struct Order {
 }
 
 impl Tree {
+    /// One that is given up where finding its order merges lists whose squares are more than that together.
+    pub(crate) fn within(most: usize) -> Self {
+        Tree { order: Order { most: Some(most), ..Order::default() }, ..Tree::default() }
+    }
+
     /// The tree of groups with so many rows each, and the other groups that each meets, growing, in both directions. Where they are those
     /// of the last matrix it stays what it is.
     pub(crate) fn plan(&mut self, rows: &[usize], neighbours: &Lists) {
@@ -229,7 +236,7 @@ impl Order {
         self.of.0.clear();
         self.of.0.extend_from_slice(rows);
         self.of.1.copy_from(neighbours);
-        let Order { order, later, met, degrees, waiting, done, merged, .. } = self;
+        let Order { order, later, met, degrees, waiting, done, merged, most, .. } = self;
         emptied(met, rows.len());
         emptied(later, rows.len());
         met.iter_mut().zip(neighbours.iter()).for_each(|(met, list)| met.extend_from_slice(list));
@@ -240,13 +247,17 @@ impl Order {
         degrees.extend(neighbours.iter().map(|list| width(rows, list)));
         waiting.clear();
         waiting.extend(degrees.iter().enumerate().map(|(k, degree)| Reverse((*degree, k))));
-        let mut stored = 0;
+        let (mut stored, mut work) = (0, 0);
         while let Some(Reverse((degree_then, k))) = waiting.pop() {
             if done[k] || degree_then != degrees[k] {
                 continue;
             }
             stored += rows[k] as u128 * (rows[k] + degree_then) as u128;
             if watch::is_over() || memory::require("an order of elimination", 8 * stored).is_err() {
+                return false;
+            }
+            work += met[k].len() * met[k].len();
+            if most.is_some_and(|most| work > most) {
                 return false;
             }
             done[k] = true;

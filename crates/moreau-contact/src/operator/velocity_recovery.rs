@@ -79,6 +79,26 @@ impl VelocityFactor {
         })
     }
 
+    /// A bound of how far Y Yᵀ is from W, row by row: max |W_ij − (Y Yᵀ)_ij|/√(W_ii W_jj) times the most entries of a row. Then
+    /// W + `deviation` diag W is positive semidefinite.
+    pub fn deviation(&self, w: &BlockSparse) -> f64 {
+        let d = w.rows_per_contact();
+        let diagonal = |k: usize, row: usize| w.block(k, k).map_or(0.0, |block| block[row * (d + 1)]);
+        let (mut farthest, mut most) = (0.0_f64, 0);
+        for k in 0..w.contacts() {
+            most = most.max(d * w.met(k).len());
+            for (j, block) in w.column(k) {
+                for (at, (entry, found)) in block.iter().zip(self.product(j, k)).enumerate() {
+                    let off = (entry - found).abs();
+                    if off > 0.0 {
+                        farthest = farthest.max(off / (diagonal(j, at % d) * diagonal(k, at / d)).sqrt());
+                    }
+                }
+            }
+        }
+        most as f64 * farthest
+    }
+
     /// Y_j Y_kᵀ of two contacts, column after column.
     fn product(&self, j: usize, k: usize) -> [f64; 9] {
         let (d, mut found) = (self.rows_per_contact(), [0.0; 9]);

@@ -39,10 +39,19 @@ pub const COUPLED: f64 = 1.0 / 67_108_864.0;
 /// Required: of every answer that is accepted, by the users of `moreau certify`.
 pub const CERTIFY: f64 = 1e-8;
 
-/// Rows of a W given alone up to which it is asked whether it is positive semidefinite: some 10⁴ contacts of a pile, a few seconds. A
-/// larger one in whose blocks no bodies are found is judged as any matrix is, which refuses more.
+/// How far a W given alone may be from a positive semidefinite one, in parts of its diagonal: rounding, half the digits of a double,
+/// six digits, four. An impulse that counts as none is held against what it moves, times this part: nothing is asked of bodies, all of a
+/// matrix that is none, and of one that was written with few digits what those may hide.
 /// Set.
-pub const LARGEST_ASKED: usize = 1 << 15;
+pub const LEVELS: [f64; 4] = [0.0, 1.0 / (1 << 26) as f64, 1.0 / (1 << 20) as f64, 1.0 / (1 << 13) as f64];
+
+/// Rows that are eliminated in one front to see whether W is positive semidefinite, where no order leaves zeros: a second or two.
+/// Set.
+pub const LARGEST_FRONT: usize = 4096;
+
+/// Squares of lists that are merged to find an order for the same, 2²⁹: a second or two. What takes more is not looked at as a whole.
+/// Set.
+pub const MOST_MERGED: usize = 1 << 29;
 
 /// Four times. An entry of W that is larger than this, relative to √(W_ii W_jj), is none of bodies, whose most is 1: rounding and asymmetry
 /// of spinning bodies stay far below it. It decides only whether an impulse that is small at its own contact is asked what it moves

@@ -326,7 +326,7 @@ impl ContactProblemBuilder {
             weights: Once::default(),
             islands: Once::default(),
             overreaches: self.overreaches.map_or_else(Once::default, Once::known),
-            semidefinite: self.overreaches.map_or_else(Once::default, |overreaches| Once::known(!overreaches)),
+            indefiniteness: if self.overreaches == Some(false) { Once::known(0.0) } else { Once::default() },
             velocity_factor: Once::default(),
             written_out: Once::default(),
             number: Number::default(),

@@ -83,7 +83,7 @@ pub struct ContactProblem {
     weights: Once<Weights>,
     islands: Once<Islands>,
     overreaches: Once<bool>,
-    semidefinite: Once<bool>,
+    indefiniteness: Once<f64>,
     velocity_factor: Once<Option<VelocityFactor>>,
     written_out: Once<Option<Dynamics>>,
     number: Number,
@@ -201,16 +201,16 @@ impl ContactProblem {
         *self.overreaches.get_or(|| self.delassus.overreaches(self.rows_per_contact))
     }
 
-    /// Whether W is positive semidefinite as `find` says, which is asked once; known where W is made of mass and Jacobian.
-    pub(crate) fn is_semidefinite(&self, find: impl FnOnce(&Self) -> bool) -> bool {
-        *self.semidefinite.get_or(|| find(self))
+    /// How far W is from one of bodies as `find` says, which is asked once; 0 where W is made of mass and Jacobian.
+    pub(crate) fn indefiniteness(&self, find: impl FnOnce(&Self) -> f64) -> f64 {
+        *self.indefiniteness.get_or(|| find(self))
     }
 
     /// Whether an impulse that is small at its own contact may move another one far, where that is known: no, of bodies.
     pub(crate) fn known_overreach(&self) -> Option<bool> {
-        match [&self.overreaches, &self.semidefinite].map(Once::get) {
-            [Some(true), _] | [_, Some(false)] => Some(true),
-            [Some(false), Some(true)] => Some(false),
+        match (self.overreaches.get(), self.indefiniteness.get()) {
+            (Some(true), _) => Some(true),
+            (Some(false), Some(0.0)) => Some(false),
             _ => None,
         }
     }
