@@ -49,9 +49,10 @@ pub const LEVELS: [f64; 4] = [0.0, 1.0 / (1 << 26) as f64, 1.0 / (1 << 20) as f6
 /// Set.
 pub const LARGEST_FRONT: usize = 4096;
 
-/// Squares of lists that are merged to find an order for the same, 2²⁹: a second or two. What takes more is not looked at as a whole.
+/// Squares of lists that are merged to find an order for the same, 2²⁸: a second or two; a lattice of 5 464 spheres takes half of it. What
+/// takes more is not looked at as a whole.
 /// Set.
-pub const MOST_MERGED: usize = 1 << 29;
+pub const MOST_MERGED: usize = 1 << 28;
 
 /// Four times. An entry of W that is larger than this, relative to √(W_ii W_jj), is none of bodies, whose most is 1: rounding and asymmetry
 /// of spinning bodies stay far below it. It decides only whether an impulse that is small at its own contact is asked what it moves
