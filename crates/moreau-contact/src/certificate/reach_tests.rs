@@ -106,6 +106,24 @@ fn contacts_whose_matrix_is_none_of_bodies_are_judged_as_any_matrix() {
 }
 
 #[test]
+fn what_an_impulse_moves_counts_with_how_far_the_matrix_is_from_one_of_bodies() {
+    // the third contact opens fast and moves the first; the last two rows are redundant but for ε
+    let judged = |epsilon: f64, moved: f64| {
+        let mut w = DMatrix::identity(4, 4);
+        (w[(0, 1)], w[(1, 0)]) = (0.5, 0.5);
+        (w[(2, 3)], w[(3, 2)]) = (1.0 + epsilon, 1.0 + epsilon);
+        let problem = ContactProblem::new(w, dvector![-1e-3, 1e6, 1.0, 1.0]).rows_per_contact(1).build().unwrap();
+        residuals(&problem, &by_hand(&problem, dvector![1e-3 - 0.5 * moved, moved, 0.0, 0.0])).unwrap().is_solution(CERTIFY)
+    };
+    // half of the impulse is what it moves, beside τ times the 10⁻³ m/s at which the other closes
+    for (epsilon, share) in [(1.0 / 8192.0, 1.0 / 8192.0), (0.5, 1.0)] {
+        let most = 2.0 * CERTIFY * 1e-3 / share;
+        assert!(judged(epsilon, 0.9 * most) && !judged(epsilon, 1.1 * most), "{epsilon}");
+    }
+    assert!(judged(0.0, 1e-3), "of bodies nothing is asked");
+}
+
+#[test]
 fn a_problem_of_any_matrix_is_asked_whatever_its_entries_are() {
     // entries of bodies, or none larger than four times that: what opens holds the others alone
     let none = [

@@ -5,14 +5,14 @@
 //! ```
 //! with n rows. With D = diag W the rounding of an entry is γ √(W_ii W_jj), and so is what Cholesky's factorisation adds to it: the
 //! eigenvalues of D^(−½) W D^(−½) move by no more than n γ, whatever the sizes of the rows are. So ε = 0 for a W of bodies with all of its
-//! digits, and for one that was written with six digits it is 2⁻¹³. An island is looked at with the others: its fronts meet no other's.
+//! digits, and more for one that was written with few. An island is looked at with the others: its fronts meet no other's.
 
 use crate::fronts::{Factor, Front, Tree, Work};
 use crate::operator::{BlockSparse, Lists, Operator};
 use crate::tolerance::certificate::{LARGEST_FRONT, LEVELS, MOST_MERGED, gamma};
 use crate::watch;
 
-/// ε, or nothing where W is too large to tell. Nobody's word ends it early.
+/// ε, or nothing where W is too large to tell, by its rows, its order or the memory that is allowed. Nobody's word ends it early.
 pub(super) fn indefiniteness(w: &Operator, rows_per_contact: usize) -> Option<f64> {
     let rows = w.shape()[0];
     let groups = vec![rows_per_contact; rows / rows_per_contact.max(1)];

@@ -424,4 +424,20 @@ pub(crate) mod tests {
         assert_eq!(VelocityFactor::recover(&of(1, vec![(0, 0, 2.0)])).unwrap().columns[..], [1]);
         assert_eq!(VelocityFactor::recover(&of(2, vec![(0, 0, 1.0), (0, 1, 1.0), (1, 0, 1.0), (1, 1, 1.0)])).unwrap().columns[..], [1]);
     }
+
+    #[test]
+    fn what_a_factor_is_off_is_told_in_parts_of_both_rows() {
+        let right = wall(3, 3, 1.0);
+        let factor = VelocityFactor::recover(&right).expect("bodies");
+        let met = |k: usize| right.column(k).map(move |(j, block)| (j, k, DMatrix::from_column_slice(3, 3, block)));
+        let near = factor.deviation(&right);
+        assert!(near < RECOVERED, "{near:e}");
+        for part in [1e-3, 0.5] {
+            let mut blocks: Vec<_> = (0..right.contacts()).flat_map(met).collect();
+            let (row, column, block) = blocks.iter_mut().find(|(j, k, _)| j != k).expect("contacts of one brick");
+            block[(0, 0)] += part * (right.entry(3 * *row, 3 * *row) * right.entry(3 * *column, 3 * *column)).sqrt();
+            let far = factor.deviation(&BlockSparse::new(3, right.contacts(), blocks).unwrap());
+            assert!(far >= 0.99 * part, "{part} {far:e}");
+        }
+    }
 }
