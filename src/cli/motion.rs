@@ -37,8 +37,8 @@ pub struct Motion {
     pub trajectory: Option<Trajectory>,
     /// What the certificate says of the steps.
     pub steps: StepSummary,
-    /// What was changed of the scene for the scheme.
-    pub note: Option<&'static str>,
+    /// What was changed of the scene for the scheme, and of its duration for the step.
+    pub note: Option<String>,
 }
 
 /// Simulates; `go_on` is asked after every step, and may end the motion with an error.
@@ -64,13 +64,15 @@ pub fn motion(question: Question, mut go_on: impl FnMut() -> Result<()>) -> Resu
     };
     let Staged { mechanism, start, duration, .. } = staged;
     let duration = question.duration.map_or(Ok(duration), |duration| positive("--duration", duration))?;
+    let steps = count_steps(duration, question.step)?;
     let scene = scene.map(|scene| Scene { duration, ..scene });
-    let steps = count_steps(duration, question.step)?.count;
+    let notes: Vec<String> = note.map(String::from).into_iter().chain(steps.remark).collect();
     let certified = Certified::with_tolerance(solver.as_ref(), question.tolerance);
     let observe = |_: &schemes::Step| go_on();
-    let recording = schemes::simulate_certified(scheme.as_ref(), &certified, mechanism.as_ref(), start, question.step, steps, observe)?;
+    let recording =
+        schemes::simulate_certified(scheme.as_ref(), &certified, mechanism.as_ref(), start, question.step, steps.count, observe)?;
     let engine = Producer::ours(&recording.scheme, solver.name());
     let trajectory = scene.map(|scene| Trajectory::from_recording(&recording, mechanism.as_ref(), &scene, engine)).transpose()?;
     let steps = StepSummary::of(&recording, mechanism.as_ref());
-    Ok(Motion { recording, trajectory, steps, note })
+    Ok(Motion { recording, trajectory, steps, note: (!notes.is_empty()).then(|| notes.join("; ")) })
 }

@@ -43,6 +43,9 @@ const TELLING: [&str; 43] = [
 /// [`Error::Invalid`] with the option, the file and the cure.
 pub fn require(option: &str, file: Option<&Path>, content: Content) -> Result<()> {
     let Some(file) = file else { return Ok(()) };
+    if file == Path::new("-") {
+        return Err(Error::invalid(option, "is -, which is no file", "name a file: /dev/stdout, or ./- for one of that name"));
+    }
     let end = file.extension().map(|end| end.to_string_lossy().to_lowercase()).unwrap_or_default();
     if TELLING.contains(&end.as_str()) && !content.ends.contains(&end.as_str()) {
         let problem = format!("is {}, and what is written there is {}", file.display(), content.words);
@@ -101,6 +104,7 @@ mod tests {
         assert!(said("none/x.json").contains("there is no folder") && said("none/x.json").contains("make the folder"));
         assert!(said("file/x.json").contains("is a file; name a file in a folder"));
         assert_eq!(said("x.json"), "");
+        assert!(refused("-", JSON).is_some_and(|said| said.contains("/dev/stdout")) && refused("./-", JSON).is_none());
         std::fs::remove_dir_all(&folder).expect("it was made");
     }
 }

@@ -95,10 +95,10 @@ impl Motion {
         self.moved.recording.time_step
     }
 
-    /// What was changed of the scene for the scheme, or None.
+    /// What was changed of the scene for the scheme and of its duration for the step, or None.
     #[getter]
-    fn note(&self) -> Option<&'static str> {
-        self.moved.note
+    fn note(&self) -> Option<&str> {
+        self.moved.note.as_deref()
     }
 
     /// t_k [s], samples; the first is the start.

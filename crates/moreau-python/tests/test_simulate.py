@@ -33,6 +33,12 @@ def test_the_motion_is_that_of_the_command(command, tmp_path):
     assert json.loads((tmp_path / "ours.json").read_text()) == ours
 
 
+def test_a_motion_that_ends_at_another_time_says_so():
+    motion = mc.simulate("incline-slide", step=0.3, duration=1.0)
+    assert motion.times[-1] == pytest.approx(0.9) and "the motion ends after 0.9 s" in motion.note
+    assert mc.simulate("incline-slide", step=0.25, duration=1.0).note is None
+
+
 def test_a_linkage_has_coordinates_and_no_bodies():
     name = next(scene for scene in mc.scenes() if "pendulum" in scene or "rod" in scene or "linkage" in scene)
     motion = mc.simulate(name, step=0.01, duration=0.1)

@@ -12,15 +12,21 @@
 //! Contacts and limits are judged as in a problem without joints, in which the impulses of the joints are given: u_free + W r_b in place of
 //! u_free, and the rounding of that product in the floors. Their scales have q, too, what they would do without the joints: a contact that
 //! joints hold fast has no other velocity. Nothing here is eliminated: the answer is held against W as it was given.
+//!
+//! An impulse of a contact that counts as none may move no joint either by more than τ of its scale, where the W of all rows is not shown to
+//! be one of bodies: see [`reach`](super::reach).
 
 use super::judged::{Judged, Worst};
 use super::part::Part;
 use super::residuals::{Residuals, of_held};
 use super::scales::Unheld;
+use super::semidefinite::indefiniteness;
+use crate::operator::Operator;
 use crate::problem::{ConstraintKind, JointedProblem, Solution};
 use crate::tolerance::certificate::{HIDDEN, JAMMED, gamma};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
+use std::cell::OnceCell;
 
 /// The residuals of an answer to a problem with joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,26 +66,24 @@ pub fn jointed_residuals(problem: &JointedProblem, solution: &Solution) -> Resul
         let found = format!("makes the velocity of row {row} too large for a number, or is none itself");
         return Err(Error::invalid("impulse", found, "give finite impulses, in units of their size"));
     }
-    let floors = floors(problem, impulse);
-    let mut contacts = of_contacts(problem, solution)?;
-    let (law_velocity, stored) = (law_velocity(problem, impulse), &solution.velocity);
     let joints = Joints::new(problem, impulse);
+    let mut contacts = of_contacts(problem, solution, &joints)?;
+    let (law_velocity, stored) = (law_velocity(problem, impulse), &solution.velocity);
     let found = problem.velocity(impulse);
     let mut bilateral: Option<Worst> = None;
     for k in problem.bilateral() {
         let rows = problem.rows_of(k);
         let norm = |vector: &DVector<f64>| vector.rows(rows.start, rows.len()).norm();
-        let (scale, floor) = (joints.scale(k), norm(&floors));
-        let part = joints.part(norm(&law_velocity), scale, floor);
+        let part = joints.part(k, norm(&law_velocity));
         bilateral.get_or_insert(Worst { part, contact: k, largest: part.value }).take(k, part);
-        contacts.judged.velocity.take(k, joints.part(norm(&(stored - &found)), scale, floor));
+        contacts.judged.velocity.take(k, joints.part(k, norm(&(stored - &found))));
     }
     contacts.velocity = contacts.judged.velocity.largest;
     Ok(JointedResiduals { contacts, bilateral })
 }
 
 /// Contacts and limits with the impulses of the joints given.
-fn of_contacts(problem: &JointedProblem, solution: &Solution) -> Result<Residuals> {
+fn of_contacts(problem: &JointedProblem, solution: &Solution, joints: &Joints) -> Result<Residuals> {
     let mut held = DVector::zeros(problem.rows());
     problem.bilateral().into_iter().flat_map(|k| problem.rows_of(k)).for_each(|row| held[row] = solution.impulse[row]);
     let moved = problem.delassus() * &held;
@@ -88,7 +92,7 @@ fn of_contacts(problem: &JointedProblem, solution: &Solution) -> Result<Residual
     let data = problem.free_velocity() + problem.shifts();
     let [impulse, velocity] = [&solution.impulse, &solution.velocity].map(|all| problem.spread(all));
     let (rounding, unheld, fastest) = (problem.spread(&rounding), problem.spread(&data), data.amax());
-    let unheld = Unheld { rounding: rounding.as_slice(), data: unheld.as_slice(), fastest };
+    let unheld = Unheld { rounding: rounding.as_slice(), data: unheld.as_slice(), fastest, joints: Some(joints) };
     let mut residuals = of_held(&given, &Solution { impulse, velocity, ..solution.clone() }, unheld)?;
     let pushing = problem.pushing();
     // what the joints hold is no velocity that was given
@@ -120,9 +124,16 @@ fn floors(problem: &JointedProblem, impulse: &DVector<f64>) -> DVector<f64> {
 }
 
 /// What the velocities of the joints are held against.
-struct Joints<'a> {
+#[derive(Debug)]
+pub(super) struct Joints<'a> {
     problem: &'a JointedProblem,
     impulse: &'a DVector<f64>,
+    /// The contacts and limits.
+    pushing: Vec<usize>,
+    /// The rounding of y, row by row \[m/s\].
+    floors: DVector<f64>,
+    /// How far the W of all rows is from one of bodies; found when it is asked.
+    strangeness: OnceCell<f64>,
     /// q.
     data: DVector<f64>,
     /// W r_u.
@@ -134,10 +145,34 @@ struct Joints<'a> {
 impl<'a> Joints<'a> {
     fn new(problem: &'a JointedProblem, impulse: &'a DVector<f64>) -> Self {
         let data = problem.free_velocity() + problem.shifts();
-        let mut pushing = DVector::zeros(problem.rows());
-        problem.pushing().into_iter().flat_map(|k| problem.rows_of(k)).for_each(|row| pushing[row] = impulse[row]);
-        let (pushed, fastest) = (problem.delassus() * pushing, data.amax());
-        Joints { problem, impulse, data, pushed, fastest }
+        let (pushing, mut pushes) = (problem.pushing(), DVector::zeros(problem.rows()));
+        pushing.iter().flat_map(|k| problem.rows_of(*k)).for_each(|row| pushes[row] = impulse[row]);
+        let (pushed, fastest) = (problem.delassus() * pushes, data.amax());
+        let (floors, strangeness) = (floors(problem, impulse), OnceCell::new());
+        Joints { problem, impulse, pushing, floors, strangeness, data, pushed, fastest }
+    }
+
+    /// The joint that an impulse of contact `i` of the [`pushing`](JointedProblem::pushing) ones moves most, by what it is judged by.
+    pub fn moved(&self, i: usize, taken: &[f64]) -> Part {
+        let (w, rows) = (self.problem.delassus(), self.problem.rows_of(self.pushing[i]));
+        let mut farthest = Part::default();
+        for k in self.problem.bilateral() {
+            let along = |row: usize| rows.clone().zip(taken).map(|(column, d)| w[(row, column)] * d).sum::<f64>();
+            let moved = self.problem.rows_of(k).map(along).fold(0.0, f64::hypot);
+            if moved != 0.0 {
+                farthest = farthest.worse(self.part(k, moved));
+            }
+        }
+        farthest
+    }
+
+    /// 0 where W was made of mass and Jacobian; else as of contacts alone.
+    pub fn strangeness(&self) -> f64 {
+        let of_any = || {
+            let w = Operator::Dense(self.problem.delassus().clone());
+            if w.overreaches(1) { 1.0 } else { indefiniteness(&w, 1).unwrap_or(0.0) }
+        };
+        *self.strangeness.get_or_init(|| if self.problem.dynamics().is_some() { 0.0 } else { of_any() })
     }
 
     fn scale(&self, k: usize) -> f64 {
@@ -149,8 +184,10 @@ impl<'a> Joints<'a> {
         of(&self.data).max(of(&self.pushed).min(JAMMED * self.fastest)).max(own.min(self.fastest))
     }
 
-    /// The part with its floor; a floor that hides more of V than it may is a residual itself.
-    fn part(&self, value: f64, scale: f64, floor: f64) -> Part {
+    /// A velocity of joint k with its scale and its floor; a floor that hides more of V than it may is a residual itself.
+    fn part(&self, k: usize, value: f64) -> Part {
+        let rows = self.problem.rows_of(k);
+        let (scale, floor) = (self.scale(k), self.floors.rows(rows.start, rows.len()).norm());
         let most = if self.fastest > 0.0 { self.fastest * HIDDEN } else { f64::INFINITY };
         let value = if floor > most { moreau_exact::number::larger(value, floor) } else { value };
         Part { value, scale, floor: floor.min(most) }

@@ -104,3 +104,48 @@ fn answers_of_another_size_and_what_is_no_number_are_no_solutions() {
     let nan = Solution::new("", dvector![3.75, -1.25], dvector![f64::NAN, f64::NAN], 0);
     assert!(!jointed_residuals(&bob(), &nan).unwrap().is_solution(1e-8));
 }
+
+/// Three contacts and a joint, in the order `order` of (contact 1, 2, 3, joint): the first opens at 10⁶ m/s, and what it pushes reaches the
+/// others through the joint alone. Beside it the joint moves at `joint` m/s, the two others at `others`.
+fn through_a_joint(w_23: f64, joint: f64, others: f64, order: [usize; 4]) -> JointedProblem {
+    let w_12 = if w_23 < 0.0 { 0.0 } else { -1e-3 };
+    let w = dmatrix![1e-6, w_12, w_12, 1e-3; w_12, 1.0, w_23, -1.0; w_12, w_23, 1.0, -1.0; 1e-3, -1.0, -1.0, 1.0];
+    let q = [1e6, others, others, joint];
+    let kinds = order.map(|i| if i == 3 { ConstraintKind::Bilateral { rows: 1 } } else { ConstraintKind::Contact });
+    let w = DMatrix::from_fn(4, 4, |i, j| w[(order[i], order[j])]);
+    let problem = JointedProblem::new(1, kinds.to_vec(), w, DVector::from_fn(4, |i, _| q[order[i]])).unwrap();
+    problem.law(Law::Frictionless, vec![0.0; 4]).unwrap()
+}
+
+const ORDERS: [[usize; 4]; 3] = [[0, 1, 2, 3], [3, 0, 1, 2], [2, 3, 1, 0]];
+
+#[test]
+fn an_impulse_that_counts_as_none_carries_no_contact_through_a_joint() {
+    // Without the joint's impulse W is [0, 1, 1; 1, 0, −2500; 1, −2500, 0]/1000: the last two rows ask for 1000 N·s of the first contact,
+    // which opens, and there is no solution.
+    for order in ORDERS {
+        let problem = through_a_joint(-1.5, 0.0, -1.0, order);
+        let impulse = DVector::from_fn(4, |i, _| [1e3, 0.0, 0.0, -1.0][order[i]]);
+        let found = judged(&problem, impulse);
+        let (name, worst) = found.contacts.judged.worst();
+        assert!(!found.is_solution(0.5) && found.bilateral.unwrap().part.relative() == 0.0, "{found:?}");
+        assert_eq!((name, order[worst.contact]), ("normal", 0));
+    }
+}
+
+#[test]
+fn an_impulse_that_counts_as_none_may_move_a_joint_by_what_it_is_judged_by_where_w_is_none_of_bodies_and_no_more() {
+    for order in ORDERS {
+        let problem = through_a_joint(-1.5, 1.0, 1.0, order);
+        let found = |moved: f64| {
+            let impulse = DVector::from_fn(4, |i, _| [moved * 1e3, 0.0, 0.0, -1.0 - moved][order[i]]);
+            judged(&problem, impulse).is_solution(1e-8)
+        };
+        assert!(found(0.0) && found(0.9e-8));
+        assert!(!found(1.1e-8) && !found(1e-3) && !found(1.0));
+        // of bodies, rows (10⁻³), (−1), (−1), (1) of one of 1 kg, nothing is asked
+        let bodies = through_a_joint(1.0, 1.0, 1.0, order);
+        let impulse = DVector::from_fn(4, |i, _| [1.0, 0.0, 0.0, -1.0 - 1e-3][order[i]]);
+        assert!(judged(&bodies, impulse).is_solution(1e-8));
+    }
+}

@@ -18,6 +18,7 @@
 //! of s_r and s_t. The rounding of its velocity counts as an angle, relative to the slip.
 
 use super::at_contact::{AtContact, Here, in_space};
+use super::joints::Joints;
 use super::judged::Judged;
 use super::part::{Part, pair};
 use super::polyhedral::{self, Pairs};
@@ -130,7 +131,7 @@ impl Judge {
         self.scales.set_unheld(unheld);
         self.set_law_velocity(problem, impulse);
         let law_velocity = std::mem::take(&mut self.law_velocity);
-        let judged = self.contacts(problem, solution, &law_velocity, see);
+        let judged = self.contacts(problem, solution, &law_velocity, unheld.joints, see);
         self.law_velocity = law_velocity;
         let mut judged = judged?;
         self.each_stored(problem, solution, |contact, at, value, floor| {
@@ -158,7 +159,7 @@ impl Judge {
 
     /// The largest relative size over the contacts at r and y, without the stored velocity; β and σ are recovered from r and y.
     pub(crate) fn measure(&mut self, problem: &ContactProblem, solution: &Solution, law_velocity: &[f64]) -> Result<f64> {
-        Ok(self.contacts(problem, solution, law_velocity, &mut |_, _, _| {})?.relative())
+        Ok(self.contacts(problem, solution, law_velocity, None, &mut |_, _, _| {})?.relative())
     }
 
     fn set_law_velocity(&mut self, problem: &ContactProblem, impulse: &[f64]) {
@@ -176,12 +177,13 @@ impl Judge {
         problem: &ContactProblem,
         solution: &Solution,
         law_velocity: &[f64],
+        joints: Option<&Joints>,
         see: &mut impl FnMut(usize, usize, Part),
     ) -> Result<Judged> {
         match problem.rows_per_contact() {
-            1 => self.contacts_of::<1>(problem, solution, law_velocity, see),
-            2 => self.contacts_of::<2>(problem, solution, law_velocity, see),
-            _ => self.contacts_of::<3>(problem, solution, law_velocity, see),
+            1 => self.contacts_of::<1>(problem, solution, law_velocity, joints, see),
+            2 => self.contacts_of::<2>(problem, solution, law_velocity, joints, see),
+            _ => self.contacts_of::<3>(problem, solution, law_velocity, joints, see),
         }
     }
 
@@ -191,12 +193,13 @@ impl Judge {
         problem: &ContactProblem,
         solution: &Solution,
         law_velocity: &[f64],
+        joints: Option<&Joints>,
         see: &mut impl FnMut(usize, usize, Part),
     ) -> Result<Judged> {
         let (law, impulse) = (problem.law(), solution.impulse.as_slice());
         self.scales.set_sizes(problem, impulse, law_velocity);
         let mut judged = Judged { loaded: self.scales.loaded(impulse), ..Default::default() };
-        let reach = Reach::new(problem, &self.scales, [impulse, law_velocity], self.thoroughly);
+        let reach = Reach::new(problem, &self.scales, [impulse, law_velocity], joints, self.thoroughly);
         let [impulses, velocities, floors] = [impulse, law_velocity, &self.scales.floors[..]].map(|numbers| numbers.as_chunks::<ROWS>().0);
         let answer = impulses.iter().zip(velocities).zip(floors).zip(problem.friction());
         // nearly all contacts have one μ

@@ -14,7 +14,11 @@
 //! see [`semidefinite`](super::semidefinite). Of a W that is made of mass and Jacobian it is never asked. There it
 //! moves another contact by no more than τ √(W_jj/W_ii) of its own scale, which is much where a light contact stands beside a heavy one:
 //! then the answer is one for given velocities that differ by as much, and `certify --prove` says by how much.
+//!
+//! What holds contacts, [`joints`](super::joints), is among the rows k: through a joint an impulse reaches as far as through W. There ε is
+//! told of the W of all rows.
 
+use super::joints::Joints;
 use super::part::Part;
 use super::scales::Scales;
 use super::semidefinite::indefiniteness;
@@ -31,6 +35,8 @@ pub(super) struct Reach<'a> {
     pub impulse: &'a [f64],
     /// y \[m/s\].
     pub law_velocity: &'a [f64],
+    /// What holds the contacts, if anything does.
+    joints: Option<&'a Joints<'a>>,
     /// Whether W is looked at as a whole, or by its entries alone.
     thoroughly: bool,
     /// W d \[m/s\].
@@ -52,9 +58,15 @@ fn strangeness(problem: &ContactProblem) -> f64 {
 
 impl<'a> Reach<'a> {
     /// Nothing where W is known to be one of bodies; not `thoroughly`, where it has their entries.
-    pub fn new(problem: &'a ContactProblem, scales: &'a Scales, [impulse, law_velocity]: [&'a [f64]; 2], thoroughly: bool) -> Option<Self> {
-        let reach = || Reach { problem, scales, impulse, law_velocity, thoroughly, moved: RefCell::default() };
-        (problem.known_overreach() != Some(false)).then(reach)
+    pub fn new(
+        problem: &'a ContactProblem,
+        scales: &'a Scales,
+        [impulse, law_velocity]: [&'a [f64]; 2],
+        joints: Option<&'a Joints<'a>>,
+        thoroughly: bool,
+    ) -> Option<Self> {
+        let reach = || Reach { problem, scales, impulse, law_velocity, joints, thoroughly, moved: RefCell::default() };
+        (joints.is_some() || problem.known_overreach() != Some(false)).then(reach)
     }
 
     /// The part d of the impulse of a contact, as an impulse \[N·s\]; 0 where it moves nothing above rounding. What it moves at the contact
@@ -84,6 +96,7 @@ impl<'a> Reach<'a> {
                 farthest = farthest.worse(normal);
             }
         }
+        let farthest = self.joints.map_or(farthest, |joints| farthest.worse(joints.moved(contact, taken)));
         if farthest.relative() == 0.0 {
             return Part::default();
         }
@@ -92,6 +105,9 @@ impl<'a> Reach<'a> {
     }
 
     fn strangeness(&self) -> f64 {
+        if let Some(joints) = self.joints {
+            return joints.strangeness();
+        }
         if self.thoroughly { strangeness(self.problem) } else { f64::from(u8::from(self.problem.overreaches())) }
     }
 

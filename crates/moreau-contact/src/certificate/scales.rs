@@ -32,6 +32,7 @@
 //! `DIFFERENCE` One ρ = rows/tr(W_kk) for a whole contact would accept a normal velocity that is wrong by W_tt/W_nn times τ.
 
 use super::groups;
+use super::joints::Joints;
 use super::part::Part;
 use crate::cones::polyhedral::direction;
 use crate::cones::second_order::{length, tangential_norm};
@@ -120,6 +121,8 @@ pub(super) struct Unheld<'a> {
     pub data: &'a [f64],
     /// The largest of these, at the joints, too.
     pub fastest: f64,
+    /// The joints, which an impulse that counts as none must not move either.
+    pub joints: Option<&'a Joints<'a>>,
 }
 
 /// The weights of every contact: what its impulse moves at itself, and whether it moves anything.

@@ -76,6 +76,8 @@ fn stage<'a>(file: &Path, contents: &'a [u8], staged: &mut Vec<Staged<'a>>) -> s
         if metadata.permissions().readonly() {
             return Err(IoError::other("the file is read-only; make it writable, or name another file"));
         }
+    } else if fs::symlink_metadata(file).is_ok_and(|link| link.is_symlink()) {
+        return Err(IoError::other("it is a link that leads nowhere; make what it leads to, or name another file"));
     }
     let place = destination(file)?;
     if staged.iter().any(|other| matches!(other, Staged::Beside { place: taken, .. } if *taken == place)) {
@@ -182,6 +184,12 @@ mod tests {
         write_atomically(&link, b"new").unwrap();
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
         assert_eq!(fs::read(&target).unwrap(), b"new");
+        // one that leads nowhere is not replaced
+        let nowhere = directory.join("nowhere");
+        std::os::unix::fs::symlink(directory.join("missing"), &nowhere).unwrap();
+        assert!(write_atomically(&nowhere, b"x").unwrap_err().to_string().contains("leads nowhere"));
+        assert!(fs::symlink_metadata(&nowhere).unwrap().is_symlink());
+        fs::remove_file(&nowhere).unwrap();
         // a socket is neither file nor folder: it cannot be opened for writing, and above all it is not replaced
         let socket = directory.join("s");
         let _bound = std::os::unix::net::UnixListener::bind(&socket).unwrap();

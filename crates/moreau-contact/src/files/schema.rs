@@ -164,13 +164,14 @@ fn word_at(text: &str, line: usize, column: usize) -> &str {
 
 /// The error of a text that is cut off: where it ends, and after which key.
 fn ends_early(text: &str, error: &serde_json::Error) -> Error {
-    let field = last_key(text, error.line(), error.column()).unwrap_or_else(|| "schema".into());
-    let problem = if text.trim().is_empty() {
-        "is missing, because the text is empty".into()
-    } else {
-        format!("is the last one of a text that ends early, at line {} column {}", error.line(), error.column())
+    let field = last_key(text, error.line(), error.column());
+    let early = format!("ends early, at line {} column {}", error.line(), error.column());
+    let problem = match &field {
+        _ if text.trim().is_empty() => "is missing, because the text is empty".into(),
+        Some(_) => format!("is the last one of a text that {early}"),
+        None => format!("is missing, because the text {early}"),
     };
-    Error::invalid(field, problem, "it is not valid JSON: write or copy the file again, whole")
+    Error::invalid(field.unwrap_or_else(|| "schema".into()), problem, "it is not valid JSON: write or copy the file again, whole")
 }
 
 /// The field that the message itself names: an unknown, missing or doubled one.

@@ -13,7 +13,7 @@
 use super::{BlockSparse, VelocityFactor};
 use crate::tolerance::velocities::{MOST_ROWS, MOST_VELOCITIES, RANK, RECOVERED};
 use nalgebra::DMatrix;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Contacts with the same neighbours.
 struct Bundle {
@@ -38,7 +38,7 @@ impl VelocityFactor {
         for (b, members) in bodies.iter().enumerate() {
             known[b] = from_three(w, &bundles, members);
         }
-        while spread(w, &bundles, &bodies, &mut known) {}
+        spread(w, &bundles, &bodies, &mut known);
         let (mut columns, mut parts) = (Vec::new(), vec![Vec::new(); w.contacts()]);
         for (members, known) in bodies.iter().zip(&known) {
             let known = known.as_ref()?;
@@ -292,31 +292,38 @@ fn from_three(w: &BlockSparse, bundles: &[Bundle], members: &[usize]) -> Option<
     Known::from_one(w, bundles, members, g, square)
 }
 
-/// Finds one more body: beside a known one, or else one with a bundle that has no other body. Whether it found any.
-fn spread(w: &BlockSparse, bundles: &[Bundle], bodies: &[Vec<usize>], known: &mut [Option<Known>]) -> bool {
-    let unknown = || (0..bodies.len()).filter(|b| known[*b].is_none());
-    let largest = |members: &[usize]| members.iter().map(|g| bundles[*g].pivots.len()).max().unwrap_or(0);
-    let beside = unknown().find_map(|b| {
-        let rank = largest(&bodies[b]);
-        bodies[b].iter().filter(|g| bundles[**g].pivots.len() == rank).find_map(|&g| {
-            let other = bundles[g].bodies.iter().copied().find(|other| *other != b)?;
-            let factor = known[other].as_ref()?.factor(&bodies[other], g);
-            Known::from_one(w, bundles, &bodies[b], g, &bundles[g].own - factor * factor.transpose()).map(|found| (b, found))
-        })
-    });
-    let alone = || {
-        unknown().find_map(|b| {
-            let g = bodies[b].iter().copied().filter(|g| bundles[*g].bodies.len() == 1).max_by_key(|g| bundles[*g].pivots.len())?;
-            Known::from_one(w, bundles, &bodies[b], g, bundles[g].own.clone()).map(|found| (b, found))
-        })
-    };
-    match beside.or_else(alone) {
-        Some((b, found)) => {
-            known[b] = Some(found);
-            true
+/// Finds what three bundles do not tell, the first body first: beside a known one, or else where a bundle has no other body. A body is
+/// tried again only when one beside it becomes known, so that a long chain is gone through once.
+fn spread(w: &BlockSparse, bundles: &[Bundle], bodies: &[Vec<usize>], known: &mut [Option<Known>]) {
+    let beside = |b: usize| bodies[b].iter().flat_map(|g| bundles[*g].bodies.iter().copied());
+    let mut candidates: BTreeSet<usize> = (0..bodies.len()).filter(|b| known[*b].is_some()).flat_map(beside).collect();
+    let mut alone = 0..bodies.len();
+    while let Some((b, has_neighbour)) = candidates.pop_first().map(|b| (b, true)).or_else(|| alone.next().map(|b| (b, false))) {
+        if known[b].is_some() {
+            continue;
         }
-        None => false,
+        let found = if has_neighbour { from_neighbour(w, bundles, bodies, known, b) } else { from_itself(w, bundles, &bodies[b]) };
+        if found.is_some() {
+            known[b] = found;
+            candidates.extend(beside(b));
+        }
     }
+}
+
+/// From what a known body leaves of a bundle with the most pivots.
+fn from_neighbour(w: &BlockSparse, bundles: &[Bundle], bodies: &[Vec<usize>], known: &[Option<Known>], b: usize) -> Option<Known> {
+    let rank = bodies[b].iter().map(|g| bundles[*g].pivots.len()).max()?;
+    bodies[b].iter().filter(|g| bundles[**g].pivots.len() == rank).find_map(|&g| {
+        let other = bundles[g].bodies.iter().copied().find(|other| *other != b)?;
+        let factor = known[other].as_ref()?.factor(&bodies[other], g);
+        Known::from_one(w, bundles, &bodies[b], g, &bundles[g].own - factor * factor.transpose())
+    })
+}
+
+/// From the bundle of this body alone that has the most pivots.
+fn from_itself(w: &BlockSparse, bundles: &[Bundle], members: &[usize]) -> Option<Known> {
+    let g = members.iter().copied().filter(|g| bundles[*g].bodies.len() == 1).max_by_key(|g| bundles[*g].pivots.len())?;
+    Known::from_one(w, bundles, members, g, bundles[g].own.clone())
 }
 
 #[cfg(test)]
