@@ -110,7 +110,7 @@ impl Trajectory {
     /// Parses and validates the text of a `trajectory/1` file.
     ///
     /// # Errors
-    /// [`Error::Invalid`] naming the field, with line and column where it is no JSON, and the cure.
+    /// [`Error::Invalid`](moreau_exact::Error::Invalid) naming the field, with line and column where it is no JSON, and the cure.
     pub fn from_json(text: &str) -> Result<Self> {
         let trajectory: Trajectory = read_schema(text, SCHEMA)?;
         trajectory.validate()?;
@@ -120,7 +120,7 @@ impl Trajectory {
     /// Reads a `trajectory/1` file.
     ///
     /// # Errors
-    /// [`Error::Read`], or those of [`Trajectory::from_json`] with the file's name.
+    /// [`Error::Read`](moreau_exact::Error::Read), or those of [`Trajectory::from_json`] with the file's name.
     pub fn read(file: &Path) -> Result<Self> {
         let text = read_text(file)?;
         Trajectory::from_json(&text).map_err(|error| error.in_file(file))
@@ -129,7 +129,7 @@ impl Trajectory {
     /// The text of the file.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if the trajectory is not valid: what is written can be read.
+    /// [`Error::Invalid`](moreau_exact::Error::Invalid) if the trajectory is not valid: what is written can be read.
     pub fn to_json(&self) -> Result<String> {
         self.validate()?;
         Ok(serde_json::to_string(self)? + "\n")
