@@ -14,7 +14,7 @@
 //! joints hold fast has no other velocity. Nothing here is eliminated: the answer is held against W as it was given.
 //!
 //! An impulse of a contact that counts as none may move no joint either by more than τ of its scale, where the W of all rows is not shown to
-//! be one of bodies: see [`reach`](super::reach).
+//! be one of bodies: as the certificate of contacts asks it of other contacts.
 
 use super::judged::{Judged, Worst};
 use super::part::Part;
