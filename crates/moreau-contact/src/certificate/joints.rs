@@ -13,20 +13,16 @@
 //! u_free, and the rounding of that product in the floors. Their scales have q, too, what they would do without the joints: a contact that
 //! joints hold fast has no other velocity. Nothing here is eliminated: the answer is held against W as it was given.
 //!
-//! An impulse of a contact that counts as none may move no joint either by more than τ of its scale, where the W of all rows is not shown to
-//! be one of bodies: as the certificate of contacts asks it of other contacts.
+//! Where the W of all rows is not shown to be one of bodies, an impulse of a contact that counts as none may move no joint either.
 
+use super::joint_scales::Joints;
 use super::judged::{Judged, Worst};
-use super::part::Part;
 use super::residuals::{Residuals, of_held};
 use super::scales::Unheld;
-use super::semidefinite::indefiniteness;
-use crate::operator::Operator;
-use crate::problem::{ConstraintKind, JointedProblem, Solution};
-use crate::tolerance::certificate::{HIDDEN, JAMMED, gamma};
+use crate::problem::{JointedProblem, Solution};
+use crate::tolerance::certificate::gamma;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
-use std::cell::OnceCell;
 
 /// The residuals of an answer to a problem with joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -112,86 +108,6 @@ fn of_contacts(problem: &JointedProblem, solution: &Solution, joints: &Joints) -
 
 fn law_velocity(problem: &JointedProblem, impulse: &DVector<f64>) -> DVector<f64> {
     problem.velocity(impulse) + problem.shifts() + problem.softnesses().component_mul(impulse)
-}
-
-/// The rounding of y, row by row \[m/s\].
-fn floors(problem: &JointedProblem, impulse: &DVector<f64>) -> DVector<f64> {
-    let sums = problem.delassus().abs() * impulse.abs()
-        + problem.free_velocity().abs()
-        + problem.shifts().abs()
-        + problem.softnesses().component_mul(&impulse.abs());
-    sums * gamma(2 * problem.rows() + 8)
-}
-
-/// What the velocities of the joints are held against.
-#[derive(Debug)]
-pub(super) struct Joints<'a> {
-    problem: &'a JointedProblem,
-    impulse: &'a DVector<f64>,
-    /// The contacts and limits.
-    pushing: Vec<usize>,
-    /// The rounding of y, row by row \[m/s\].
-    floors: DVector<f64>,
-    /// How far the W of all rows is from one of bodies; found when it is asked.
-    strangeness: OnceCell<f64>,
-    /// q.
-    data: DVector<f64>,
-    /// W r_u.
-    pushed: DVector<f64>,
-    /// V.
-    fastest: f64,
-}
-
-impl<'a> Joints<'a> {
-    fn new(problem: &'a JointedProblem, impulse: &'a DVector<f64>) -> Self {
-        let data = problem.free_velocity() + problem.shifts();
-        let (pushing, mut pushes) = (problem.pushing(), DVector::zeros(problem.rows()));
-        pushing.iter().flat_map(|k| problem.rows_of(*k)).for_each(|row| pushes[row] = impulse[row]);
-        let (pushed, fastest) = (problem.delassus() * pushes, data.amax());
-        let (floors, strangeness) = (floors(problem, impulse), OnceCell::new());
-        Joints { problem, impulse, pushing, floors, strangeness, data, pushed, fastest }
-    }
-
-    /// The joint that an impulse of contact `i` of the [`pushing`](JointedProblem::pushing) ones moves most, by what it is judged by.
-    pub fn moved(&self, i: usize, taken: &[f64]) -> Part {
-        let (w, rows) = (self.problem.delassus(), self.problem.rows_of(self.pushing[i]));
-        let mut farthest = Part::default();
-        for k in self.problem.bilateral() {
-            let along = |row: usize| rows.clone().zip(taken).map(|(column, d)| w[(row, column)] * d).sum::<f64>();
-            let moved = self.problem.rows_of(k).map(along).fold(0.0, f64::hypot);
-            if moved != 0.0 {
-                farthest = farthest.worse(self.part(k, moved));
-            }
-        }
-        farthest
-    }
-
-    /// 0 where W was made of mass and Jacobian; else as of contacts alone.
-    pub fn strangeness(&self) -> f64 {
-        let of_any = || {
-            let w = Operator::Dense(self.problem.delassus().clone());
-            if w.overreaches(1) { 1.0 } else { indefiniteness(&w, 1).unwrap_or(0.0) }
-        };
-        *self.strangeness.get_or_init(|| if self.problem.dynamics().is_some() { 0.0 } else { of_any() })
-    }
-
-    fn scale(&self, k: usize) -> f64 {
-        debug_assert!(matches!(self.problem.kinds()[k], ConstraintKind::Bilateral { .. }));
-        let rows = self.problem.rows_of(k);
-        let of = |vector: &DVector<f64>| vector.rows(rows.start, rows.len()).norm();
-        let own = self.problem.delassus().view((rows.start, rows.start), (rows.len(), rows.len()));
-        let own = (own * self.impulse.rows(rows.start, rows.len())).norm();
-        of(&self.data).max(of(&self.pushed).min(JAMMED * self.fastest)).max(own.min(self.fastest))
-    }
-
-    /// A velocity of joint k with its scale and its floor; a floor that hides more of V than it may is a residual itself.
-    fn part(&self, k: usize, value: f64) -> Part {
-        let rows = self.problem.rows_of(k);
-        let (scale, floor) = (self.scale(k), self.floors.rows(rows.start, rows.len()).norm());
-        let most = if self.fastest > 0.0 { self.fastest * HIDDEN } else { f64::INFINITY };
-        let value = if floor > most { moreau_exact::number::larger(value, floor) } else { value };
-        Part { value, scale, floor: floor.min(most) }
-    }
 }
 
 #[cfg(test)]

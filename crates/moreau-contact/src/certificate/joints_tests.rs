@@ -1,7 +1,7 @@
 //! The closed form of a bob on a rod, and answers with one mistake each.
 
 use super::*;
-use crate::problem::Law;
+use crate::problem::{ConstraintKind, Law};
 use nalgebra::{DMatrix, dmatrix, dvector};
 
 /// A bob of 1 kg at (−3, 1) m/s on a rod along (3, 4)/5 hits a wall with normal (1, 0); (3.75, −1.25) N·s stop it.

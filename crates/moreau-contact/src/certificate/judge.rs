@@ -18,7 +18,7 @@
 //! of s_r and s_t. The rounding of its velocity counts as an angle, relative to the slip.
 
 use super::at_contact::{AtContact, Here, in_space};
-use super::joints::Joints;
+use super::joint_scales::Joints;
 use super::judged::Judged;
 use super::part::{Part, pair};
 use super::polyhedral::{self, Pairs};

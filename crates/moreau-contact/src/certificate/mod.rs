@@ -21,6 +21,7 @@ pub mod impulse_set;
 mod in_fractions;
 pub mod infeasible;
 pub mod interval;
+mod joint_scales;
 pub mod jointed_proof;
 pub mod joints;
 mod judge;

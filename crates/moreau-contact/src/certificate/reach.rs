@@ -18,7 +18,7 @@
 //! What holds contacts, [`joints`](super::joints), is among the rows k: through a joint an impulse reaches as far as through W. There ε is
 //! told of the W of all rows.
 
-use super::joints::Joints;
+use super::joint_scales::Joints;
 use super::part::Part;
 use super::scales::Scales;
 use super::semidefinite::indefiniteness;

@@ -32,7 +32,7 @@
 //! `DIFFERENCE` One ρ = rows/tr(W_kk) for a whole contact would accept a normal velocity that is wrong by W_tt/W_nn times τ.
 
 use super::groups;
-use super::joints::Joints;
+use super::joint_scales::Joints;
 use super::part::Part;
 use crate::cones::polyhedral::direction;
 use crate::cones::second_order::{length, tangential_norm};

@@ -1,0 +1,98 @@
+//! What the velocity of a joint is held against, and how far an impulse of a contact that counts as none moves one.
+//!
+//! ```text
+//!     scale       max( ‖q_k‖ ,  ‖(W r_u)_k‖ up to 10³ V ,  ‖W_kk r_k‖ up to V )                        [m/s]
+//!     floor       ‖γ (Σ_j |W_kj||r_j| + |u_free| + |shift| + R|r|)_k‖                                  [m/s]
+//!     moved       ‖(W d)_k‖                                                                            [m/s]
+//! ```
+//! with q, V and r_u of [`joints`](super::joints) and d the impulse of a contact that counts as none, as in [`reach`](super::reach): where
+//! the W of all rows is not shown to be one of bodies, it may move no joint by more than τ of its scale.
+
+use super::part::Part;
+use super::semidefinite::indefiniteness;
+use crate::operator::Operator;
+use crate::problem::{ConstraintKind, JointedProblem};
+use crate::tolerance::certificate::{HIDDEN, JAMMED, gamma};
+use nalgebra::DVector;
+use std::cell::OnceCell;
+
+/// What the velocities of the joints are held against.
+#[derive(Debug)]
+pub(super) struct Joints<'a> {
+    problem: &'a JointedProblem,
+    impulse: &'a DVector<f64>,
+    /// The contacts and limits.
+    pushing: Vec<usize>,
+    /// The rounding of y, row by row \[m/s\].
+    floors: DVector<f64>,
+    /// How far the W of all rows is from one of bodies; found when it is asked.
+    strangeness: OnceCell<f64>,
+    /// q.
+    data: DVector<f64>,
+    /// W r_u.
+    pushed: DVector<f64>,
+    /// V.
+    fastest: f64,
+}
+
+impl<'a> Joints<'a> {
+    /// At an answer.
+    pub fn new(problem: &'a JointedProblem, impulse: &'a DVector<f64>) -> Self {
+        let data = problem.free_velocity() + problem.shifts();
+        let (pushing, mut pushes) = (problem.pushing(), DVector::zeros(problem.rows()));
+        pushing.iter().flat_map(|k| problem.rows_of(*k)).for_each(|row| pushes[row] = impulse[row]);
+        let (pushed, fastest) = (problem.delassus() * pushes, data.amax());
+        let (floors, strangeness) = (floors(problem, impulse), OnceCell::new());
+        Joints { problem, impulse, pushing, floors, strangeness, data, pushed, fastest }
+    }
+
+    /// The joint that an impulse of contact `i` of the [`pushing`](JointedProblem::pushing) ones moves most, by what it is judged by.
+    pub fn moved(&self, i: usize, taken: &[f64]) -> Part {
+        let (w, rows) = (self.problem.delassus(), self.problem.rows_of(self.pushing[i]));
+        let mut farthest = Part::default();
+        for k in self.problem.bilateral() {
+            let along = |row: usize| rows.clone().zip(taken).map(|(column, d)| w[(row, column)] * d).sum::<f64>();
+            let moved = self.problem.rows_of(k).map(along).fold(0.0, f64::hypot);
+            if moved != 0.0 {
+                farthest = farthest.worse(self.part(k, moved));
+            }
+        }
+        farthest
+    }
+
+    /// 0 where W was made of mass and Jacobian; else as of contacts alone.
+    pub fn strangeness(&self) -> f64 {
+        let of_any = || {
+            let w = Operator::Dense(self.problem.delassus().clone());
+            if w.overreaches(1) { 1.0 } else { indefiniteness(&w, 1).unwrap_or(0.0) }
+        };
+        *self.strangeness.get_or_init(|| if self.problem.dynamics().is_some() { 0.0 } else { of_any() })
+    }
+
+    fn scale(&self, k: usize) -> f64 {
+        debug_assert!(matches!(self.problem.kinds()[k], ConstraintKind::Bilateral { .. }));
+        let rows = self.problem.rows_of(k);
+        let of = |vector: &DVector<f64>| vector.rows(rows.start, rows.len()).norm();
+        let own = self.problem.delassus().view((rows.start, rows.start), (rows.len(), rows.len()));
+        let own = (own * self.impulse.rows(rows.start, rows.len())).norm();
+        of(&self.data).max(of(&self.pushed).min(JAMMED * self.fastest)).max(own.min(self.fastest))
+    }
+
+    /// A velocity of joint k with its scale and its floor; a floor that hides more of V than it may is a residual itself.
+    pub fn part(&self, k: usize, value: f64) -> Part {
+        let rows = self.problem.rows_of(k);
+        let (scale, floor) = (self.scale(k), self.floors.rows(rows.start, rows.len()).norm());
+        let most = if self.fastest > 0.0 { self.fastest * HIDDEN } else { f64::INFINITY };
+        let value = if floor > most { moreau_exact::number::larger(value, floor) } else { value };
+        Part { value, scale, floor: floor.min(most) }
+    }
+}
+
+/// The rounding of y, row by row \[m/s\].
+fn floors(problem: &JointedProblem, impulse: &DVector<f64>) -> DVector<f64> {
+    let sums = problem.delassus().abs() * impulse.abs()
+        + problem.free_velocity().abs()
+        + problem.shifts().abs()
+        + problem.softnesses().component_mul(&impulse.abs());
+    sums * gamma(2 * problem.rows() + 8)
+}
