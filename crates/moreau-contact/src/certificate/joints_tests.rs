@@ -149,3 +149,18 @@ fn an_impulse_that_counts_as_none_may_move_a_joint_by_what_it_is_judged_by_where
         assert!(judged(&bodies, impulse).is_solution(1e-8));
     }
 }
+
+#[test]
+fn what_the_impulses_of_joints_move_excuses_no_velocity_of_a_contact() {
+    // Three bodies of 1 kg, a contact with μ = 2 and a joint: r_b = −(r_n − 4 r_t)/3 holds the joint, and of the contact are left
+    // 3 y = [32, 16; 16, 8] r + (−3, 3), whose second row is half of the first but for q: no impulse stops it where the law asks for it.
+    let w = dmatrix![11.0, 4.0, 1.0; 4.0, 8.0, -4.0; 1.0, -4.0, 3.0];
+    let kinds = vec![ConstraintKind::Contact, ConstraintKind::Bilateral { rows: 1 }];
+    let problem = JointedProblem::new(2, kinds, w, dvector![-1.0, 1.0, 0.0]).unwrap().law(Law::Coulomb, vec![2.0, 0.0]).unwrap();
+    for pushed in [1e2, 1e4, 1e8] {
+        // the contact and the joint push against each other: (1, −2, −3) moves nothing
+        let found = judged(&problem, dvector![1.0, -2.0, -3.0] * pushed);
+        assert!(!found.is_solution(1e-8), "{pushed}: {found:?}");
+        assert!(found.contacts.judged.relative() >= 0.5e-3, "{pushed}: V is 1 m/s, and y_n −1 of it");
+    }
+}

@@ -225,10 +225,9 @@ impl Scales {
             let sizes = self.contacts[k].of_data(problem.law(), problem.friction()[k], q);
             self.own[k].iter_mut().zip(sizes).for_each(|(own, size)| *own = own.max(size));
         }
-        if most > 0.0 {
-            self.largest
-                .iter_mut()
-                .for_each(|largest| (largest.given, largest.fastest) = (largest.given.max(most), largest.fastest.max(most)));
+        if !data.is_empty() {
+            // what the impulses of joints move is no velocity that was given
+            self.largest.iter_mut().for_each(|largest| (largest.given, largest.fastest) = (most, largest.fastest.max(most)));
         }
     }
 

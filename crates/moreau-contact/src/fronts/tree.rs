@@ -57,7 +57,7 @@ struct Order {
     /// Whether the tree is that of this matrix.
     is_planned: bool,
     order: Vec<usize>,
-    /// Squares of the lists that may be merged before it is given up, if that is limited.
+    /// Members of lists that may be merged before it is given up, and squares of the lists, if that is limited.
     most: Option<usize>,
     /// By group, the groups that it meets when it is eliminated, growing in number.
     later: Vec<Vec<usize>>,
@@ -81,7 +81,7 @@ struct Order {
 }
 
 impl Tree {
-    /// One that is given up where finding its order merges lists whose squares are more than that together.
+    /// One that is given up where finding its order merges lists whose squares and members are more than that together.
     pub(crate) fn within(most: usize) -> Self {
         Tree { order: Order { most: Some(most), ..Order::default() }, ..Tree::default() }
     }
@@ -266,7 +266,9 @@ impl Order {
             let list = &later[k];
             for &j in list {
                 merge(&met[j], list, [j, k], merged);
-                std::mem::swap(&mut met[j], merged);
+                // a copy: room for a long list is not left behind with a short one
+                met[j].clone_from(merged);
+                work += merged.len();
                 degrees[j] = width(rows, &met[j]);
                 waiting.push(Reverse((degrees[j], j)));
             }
@@ -407,6 +409,25 @@ mod tests {
             kept.plan_one_front(&vec![3; neighbours.len()]);
             kept.plan(&vec![3; neighbours.len()], &lists(&neighbours));
             is_same(&kept, &tree(&neighbours));
+        }
+    }
+
+    #[test]
+    fn one_group_that_meets_all_of_a_chain_takes_room_once_and_its_lists_count_as_work() {
+        const LENGTH: usize = 1000;
+        let beside =
+            |k: usize| [0, k - 1, (k + 1) % LENGTH].into_iter().filter(move |j| *j != k).collect::<std::collections::BTreeSet<_>>();
+        let mut neighbours: Vec<Vec<usize>> = vec![(1..LENGTH).collect()];
+        neighbours.extend((1..LENGTH).map(|k| beside(k).into_iter().collect()));
+        let (neighbours, rows) = (lists(&neighbours), vec![1; LENGTH]);
+        let mut tree = Tree::default();
+        tree.plan(&rows, &neighbours);
+        let room: usize = tree.order.met.iter().chain(&tree.order.later).map(Vec::capacity).sum();
+        assert!(!tree.is_given_up && room <= 4 * ROOM * LENGTH, "{room}");
+        for (most, is_given_up) in [(LENGTH * LENGTH / 4, true), (LENGTH * LENGTH, false)] {
+            let mut limited = Tree::within(most);
+            limited.plan(&rows, &neighbours);
+            assert_eq!(limited.is_given_up, is_given_up, "{most}");
         }
     }
 

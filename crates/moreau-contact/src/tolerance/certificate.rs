@@ -49,7 +49,7 @@ pub const LEVELS: [f64; 4] = [0.0, 1.0 / (1 << 26) as f64, 1.0 / (1 << 20) as f6
 /// Set.
 pub const LARGEST_FRONT: usize = 4096;
 
-/// Squares of lists that are merged to find an order for the same, 2²⁸: a second or two; a lattice of 5 464 spheres takes half of it. What
+/// Members and squares of lists that are merged to find an order for the same, 2²⁸: a second or two; a lattice of 5 464 spheres takes half of it. What
 /// takes more is not looked at as a whole.
 /// Set.
 pub const MOST_MERGED: usize = 1 << 28;
