@@ -6,11 +6,13 @@ use super::{Answer, limits, number};
 use crate::Result;
 use crate::schemes::Certified;
 use crate::solvers::ContactSolver;
+use crate::tolerance::cli::{ASKED_SHARE, CERTIFY};
 
 /// How steps are judged.
 #[derive(clap::Args)]
 pub struct CertificateOptions {
-    /// Largest residual of a step that is accepted, relative to the scale of its contact.
+    /// Largest residual of a step that is accepted, relative to the scale of its contact. Where it is larger than the default, the solver
+    /// stops at half of it.
     #[arg(long, default_value = default_tolerance(), value_parser = number::real, value_name = "NUMBER", allow_hyphen_values = true)]
     certify_tolerance: f64,
     /// End with exit code 0 and a warning although the certificate rejects steps.
@@ -19,6 +21,12 @@ pub struct CertificateOptions {
 }
 
 impl CertificateOptions {
+    /// The solver, asked for half of what is accepted where that is more than the default: what is not needed takes time.
+    pub fn asked(&self, solver: Box<dyn ContactSolver>) -> Box<dyn ContactSolver> {
+        let rougher = (self.certify_tolerance > CERTIFY).then(|| solver.with_tolerance(ASKED_SHARE * self.certify_tolerance));
+        rougher.flatten().unwrap_or(solver)
+    }
+
     /// The solver with its answers certified.
     pub fn certified<'a>(&self, solver: &'a dyn ContactSolver) -> Result<Certified<'a>> {
         limits::check_tolerance("--certify-tolerance", self.certify_tolerance)?;

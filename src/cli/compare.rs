@@ -71,7 +71,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     keep_input(Path::new(&arguments.scene), "--plot", arguments.plot.as_deref())?;
     require_svg("--plot", arguments.plot.as_deref())?;
     check_name(&arguments.solver)?;
-    let solver = solvers::ALL.by_name(&arguments.solver)?;
+    let solver = arguments.certificate.asked(solvers::ALL.by_name(&arguments.solver)?);
     let duration = arguments.duration.map(|duration| positive("--duration", duration)).transpose()?;
     let staged = stage(&arguments.scene, "SCENE", "")?;
     let duration = duration.unwrap_or(staged.duration);

@@ -125,7 +125,7 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
     arguments.keep_files(scene)?;
     let chosen = arguments.solver.as_deref().unwrap_or(DEFAULT_SOLVER);
     check_name(chosen)?;
-    let named = solvers::ALL.by_name(chosen)?;
+    let named = arguments.certificate.asked(solvers::ALL.by_name(chosen)?);
     let solver = Asked::new(named.as_ref());
     let (staged, scene, note) = match scenes::linkage(scene) {
         Some(linkage) => (arguments.build_linkage(linkage)?, None, None),

@@ -42,6 +42,18 @@ fn a_rejected_step_ends_with_1_and_with_0_and_a_warning_where_that_is_accepted()
 }
 
 #[test]
+fn a_larger_tolerance_is_asked_of_the_solver_too_and_a_smaller_one_is_not() {
+    let folder = Folder::new("steps-rougher");
+    let worst = |tolerance: &str| {
+        let run = simulate(&folder, &["--solver", "pgs", "--certify-tolerance", tolerance, "--accept-rejected", "--format", "json"]);
+        let steps = run.json()["steps"].clone();
+        (steps["rejected"].as_u64(), steps["worst"]["relative"].as_f64().expect("a number"))
+    };
+    let (rough, usual, strict) = (worst("1e-3"), worst("1e-8"), worst("1e-13"));
+    assert!(rough.0 == Some(0) && rough.1 > usual.1 && usual.1 == strict.1, "{rough:?} {usual:?} {strict:?}");
+}
+
+#[test]
 fn declared_sweeps_are_certified_and_counted_as_unconverged() {
     let folder = Folder::new("steps-declared");
     for options in [["--scheme", "xpbd"], ["--solver", "sequential-impulses"]] {

@@ -263,6 +263,11 @@ pub const REDUNDANT: usize = 2;
 /// Set.
 pub const FEWEST_FREE: usize = 1000;
 
+/// Fewest contacts of a problem with fewer rows than that on which `auto` makes sweeps and proximal points in turn from the impulses of the
+/// step before: fewer are ended by what follows in less time.
+/// Set.
+pub const FEWEST_IN_ROUNDS: usize = 150;
+
 /// Most contacts of a problem with a W that is stored densely on which `auto` solves Fischer and Burmeister's equations: some sixty steps
 /// of 2(3n)³/3 operations make 10⁹ there.
 /// Set.

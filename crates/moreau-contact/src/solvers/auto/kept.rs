@@ -2,11 +2,16 @@
 //!
 //! A step changes what some contacts do. Where contacts close, plain sweeps find most of that for the price of a part of one factor; the
 //! factor of the first step of Newton's method then serves for most of the others.
+//!
+//! Where many contacts close at once, as in a pile that falls, that does not end it: loads find their way through the pile sweep by sweep,
+//! and Newton's method ends it only from where they have come. When they have is not known, so that both take turns: proximal points from
+//! what the sweeps have found, and where those fail twice as many sweeps, which go on from their own end.
 
-use super::super::{ContactSolver, NonsmoothNewton, ProjectedGaussSeidel, workspace};
-use super::stages::is_iterated;
+use super::super::{ContactSolver, NonsmoothNewton, ProjectedGaussSeidel, ProximalNewton, watch, workspace};
+use super::stages::{is_iterated, is_taken_in_rounds};
+use crate::certificate::Judge;
 use crate::problem::{ContactProblem, Solution};
-use crate::tolerance::newton::{REUSES, SWEEPS_FROM_KEPT};
+use crate::tolerance::newton::{FIRST_ROUND, REUSES, ROUNDS, STEPS_OF_ROUND, SWEEPS_FROM_KEPT};
 use crate::tolerance::solvers::{FEWEST_IN_ISLANDS, SHORT_STEPS};
 use nalgebra::DVector;
 
@@ -30,6 +35,36 @@ pub(super) fn solve(problem: &ContactProblem, kept: &DVector<f64>, stop: f64) ->
     ended.map(|ended| Solution { iterations: sweeps + ended.iterations, ..ended })
 }
 
+/// Sweeps and proximal points in turn from what is kept, until the relative residual is `enough`, or the best of their answers.
+pub(super) fn in_rounds(problem: &ContactProblem, kept: &DVector<f64>, [stop, enough]: [f64; 2]) -> Option<Solution> {
+    if !is_taken_in_rounds(problem) {
+        return None;
+    }
+    let (mut judge, mut iterations, mut swept, mut best) = (Judge::default(), 0, kept.clone(), None);
+    let mut offer = |solution: Solution, best: &mut Option<(f64, Solution)>| {
+        iterations += solution.iterations;
+        let relative = judge.look(problem, &solution).map_or(f64::NAN, |judged| judged.relative());
+        let better = best.as_ref().is_none_or(|(least, _)| relative < *least);
+        let worse = if better { best.replace((relative, solution)).map(|(_, worse)| worse) } else { Some(solution) };
+        worse.into_iter().for_each(Solution::leave);
+        best.as_ref().is_some_and(|(least, _)| *least <= enough) || watch::is_over()
+    };
+    for round in 0..ROUNDS {
+        let sweeps = ProjectedGaussSeidel { sweeps: FIRST_ROUND << round, tolerance: stop, ..Default::default() };
+        let Ok(found) = sweeps.solve(problem, Some(&swept)) else { break };
+        swept.copy_from(&found.impulse);
+        if offer(found, &mut best) {
+            break;
+        }
+        let points = ProximalNewton { steps: STEPS_OF_ROUND, tolerance: stop, ..Default::default() };
+        let Ok(found) = points.solve(problem, Some(&swept)) else { break };
+        if offer(found, &mut best) {
+            break;
+        }
+    }
+    best.map(|(_, found)| Solution { iterations, ..found })
+}
+
 /// Whether a contact closes that was kept open, or pressed too little: for rounding alone sweeps do nothing.
 fn closes(problem: &ContactProblem, kept: &DVector<f64>, stop: f64) -> bool {
     let mut memory = workspace::borrow(problem);
@@ -46,10 +81,11 @@ fn swept(problem: &ContactProblem, kept: &DVector<f64>) -> Option<Solution> {
 mod tests {
     use super::*;
     use crate::certificate::residuals;
-    use crate::operator::wall;
+    use crate::operator::{BlockSparse, wall};
     use crate::problem::Law;
     use crate::solvers::watch;
     use crate::tolerance::solvers::{ENOUGH, STOP};
+    use nalgebra::{DMatrix, Vector3};
 
     /// A wall of bricks whose contacts close at 1 m/s, and slip at this speed.
     fn pushed(law: Law, slip: f64) -> ContactProblem {
@@ -89,6 +125,70 @@ mod tests {
         let (few, _) = of(1.0 + 1e-9);
         let (many, looks) = of(0.5);
         assert!(few <= SHORT_STEPS && many > SWEEPS_FROM_KEPT && looks < many - SWEEPS_FROM_KEPT + 1, "{few} {many} {looks}");
+    }
+
+    /// Balls of 1 kg in layers, each on three of the layer below or on the floor, that fall together at 1 m/s and jostle each other: three
+    /// contacts and six velocities each.
+    fn fallen(side: usize, layers: usize) -> ContactProblem {
+        let (place, floor) = (|x: usize, y: usize, z: usize| (z * side + y) * side + x, [0.0, 0.0, 1.0]);
+        let mut contacts: Vec<([f64; 3], [Option<usize>; 2])> = Vec::new();
+        for (x, y, z) in (0..side * side * layers).map(|k| (k % side, k / side % side, k / (side * side))) {
+            let ball = Some(place(x, y, z));
+            match z.checked_sub(1) {
+                None => (0..3).for_each(|_| contacts.push((floor, [ball, None]))),
+                Some(below) => {
+                    for (i, j) in [(0, 0), (1, 0), (0, 1)] {
+                        let towards = [0.5 - i as f64, 0.5 - j as f64, 0.5f64.sqrt()];
+                        let length = towards.iter().map(|x| x * x).sum::<f64>().sqrt();
+                        let other = Some(place((x + i) % side, (y + j) % side, below));
+                        contacts.push((towards.map(|x| x / length), [ball, other]));
+                    }
+                }
+            }
+        }
+        // n, t₁ and t₂ with what each moves of a ball of radius ½ whose moment of inertia is 0.1 kg m²: e and arm × e
+        let rows = |normal: &[f64; 3]| {
+            let normal = Vector3::from(*normal);
+            let across = normal.cross(&Vector3::new(1.0, 0.3, 0.0)).normalize();
+            [normal, across, normal.cross(&across)]
+        };
+        let moved = |one: &[f64; 3], other: &[f64; 3], signs: f64| {
+            let (a, b) = (rows(one), rows(other));
+            let turned = |normal: &[f64; 3], e: &Vector3<f64>| (Vector3::from(*normal) * -0.5).cross(e);
+            // a contact turns both of its balls the same way
+            DMatrix::from_fn(3, 3, |i, j| signs * a[i].dot(&b[j]) + turned(one, &a[i]).dot(&turned(other, &b[j])) * 10.0)
+        };
+        let mut blocks = Vec::new();
+        for (i, (one, own)) in contacts.iter().enumerate() {
+            for (j, (other, theirs)) in contacts.iter().enumerate() {
+                let of = |ball: Option<usize>, pair: &[Option<usize>; 2]| ball.and_then(|_| pair.iter().position(|b| *b == ball));
+                let shared = own.iter().enumerate().filter_map(|(a, ball)| of(*ball, theirs).map(|b| if a == b { 1.0 } else { -1.0 }));
+                let block = shared.map(|signs| moved(one, other, signs)).reduce(|one, other| one + other);
+                blocks.extend(block.map(|block| (i, j, block)));
+            }
+        }
+        let w = BlockSparse::new(3, contacts.len(), blocks).expect("blocks of these contacts");
+        let free = DVector::from_fn(3 * contacts.len(), |row, _| {
+            let (normal, pair) = &contacts[row / 3];
+            let falls = if pair[1].is_none() { -rows(normal)[row % 3][2] } else { 0.0 };
+            falls + 0.02 * ((row * row) % 17) as f64 - 0.16
+        });
+        let contacts = w.contacts();
+        ContactProblem::new(w, free).friction(vec![0.5; contacts]).build().expect("valid")
+    }
+
+    #[test]
+    fn what_falls_together_is_taken_in_rounds_where_there_are_many_contacts_and_few_of_a_body() {
+        let problem = fallen(6, 4);
+        let zero = DVector::zeros(problem.rows());
+        let answer = in_rounds(&problem, &zero, [STOP, ENOUGH]).expect("some hundred contacts");
+        let relative = |answer: &Solution| residuals(&problem, answer).expect("sizes fit").judged.relative();
+        assert!(relative(&answer) <= ENOUGH, "{:e}", relative(&answer));
+        let short = solve(&problem, &zero, STOP).expect("some hundred contacts");
+        assert!(relative(&short) > ENOUGH, "what a few steps solve tests nothing");
+        assert!(crate::solvers::Auto.solve(&problem, Some(&zero)).is_ok_and(|answer| relative(&answer) <= ENOUGH));
+        let few = fallen(3, 2);
+        assert!(in_rounds(&few, &DVector::zeros(few.rows()), [STOP, ENOUGH]).is_none());
     }
 
     #[test]

@@ -160,6 +160,11 @@ fn is_many_and_free(problem: &ContactProblem) -> bool {
     problem.contacts() >= tolerance::FEWEST_FREE && is_large(problem) && !is_redundant(problem)
 }
 
+/// Whether so many contacts leave bodies so free that, from the impulses of the step before, sweeps and Newton's method take turns.
+pub(super) fn is_taken_in_rounds(problem: &ContactProblem) -> bool {
+    problem.contacts() >= tolerance::FEWEST_IN_ROUNDS && is_large(problem) && !has_many_rows(problem)
+}
+
 /// Whether interior points are for it.
 fn is_large(problem: &ContactProblem) -> bool {
     has_blocks(problem) && has_second_order_cone(problem)
