@@ -49,8 +49,8 @@ pub const LEVELS: [f64; 4] = [0.0, 1.0 / (1 << 26) as f64, 1.0 / (1 << 20) as f6
 /// Set.
 pub const LARGEST_FRONT: usize = 4096;
 
-/// Members and squares of lists that are merged to find an order for the same, 2²⁸: a second or two; a lattice of 5 464 spheres takes half of it. What
-/// takes more is not looked at as a whole.
+/// Members and squares of lists that are merged to find an order for the same, 2²⁸: a second or two; a lattice of 5 464 spheres takes half
+/// of it. What takes more is not looked at as a whole.
 /// Set.
 pub const MOST_MERGED: usize = 1 << 28;
 

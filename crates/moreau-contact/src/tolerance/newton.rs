@@ -170,8 +170,8 @@ pub const REUSED_LEAVES: f64 = 1.0 / 8.0;
 pub const SWEEPS_FROM_KEPT: usize = 16;
 
 /// Plain sweeps of the first round from the impulses of the step before, twice as many in each further one. Of 30 steps of a falling pile
-/// with 511 to 1 638 contacts that came to it, 24 ended in the first round, two in the second, one in the last and three in none; 500 sweeps
-/// carry the load too short a way for most.
+/// with 511 to 1 638 contacts that came to it, 24 ended in the first round, two in the second, one in the last and three in none; 500
+/// sweeps carry the load too short a way for most.
 /// Set.
 pub const FIRST_ROUND: usize = 2000;
 
