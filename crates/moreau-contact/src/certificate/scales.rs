@@ -20,7 +20,7 @@
 //! nothing would otherwise excuse any velocity, and a jaw that closes from both sides, which has no solution, would have one. What impulses
 //! move is no V either: where W is not positive semidefinite they may grow without end, each the excuse of the other. Nor is a
 //! floor more than 10⁻⁵ of the largest velocity in q: where rounding hides that, nothing is certain, and the rounding itself counts
-//! as a residual of y, which may be zero only because q was lost in it.
+//! as a residual of y, which may be zero only because q was lost in it; not what u_free and shift lose in each other, for q is one sum.
 //!
 //! An impulse that does not move its own contact, W_nn = 0 as in many complementarity problems, says nothing about the size of that
 //! contact's velocity: |r_n| is left out of its s_n, and q_n out of its s_r. Growing along a ray such an impulse would excuse any velocity.
@@ -49,6 +49,8 @@ pub(super) struct Scales {
     contacts: Vec<Known>,
     /// Floor per row \[m/s\].
     pub floors: Vec<f64>,
+    /// γ (|u_free| + |shift| − |q|), the part of it that q = u_free + shift, one sum, does not round; none where shift is zero \[m/s\].
+    unrounded: Vec<f64>,
     /// What a group shares of s_n, s_r, s_t, at its first contact \[N·s\].
     shared: Vec<[f64; 3]>,
     /// What the data of a contact add to its own s_n, s_r and s_t \[N·s\].
@@ -176,6 +178,11 @@ impl Scales {
         operator.add_magnitudes(impulse, &mut self.floors);
         let gamma = gamma(2 * operator.terms() + 8);
         self.floors.iter_mut().for_each(|floor| *floor *= gamma);
+        self.unrounded.clear();
+        let (free, shift) = (problem.free_velocity().as_slice(), problem.shift().as_slice());
+        if shift.iter().any(|shift| *shift != 0.0) {
+            self.unrounded.extend(free.iter().zip(shift).map(|(free, shift)| gamma * (free.abs() + shift.abs() - (free + shift).abs())));
+        }
     }
 
     /// The sizes at r and y = q + (W + R) r.
@@ -233,16 +240,26 @@ impl Scales {
 
     /// What the numbers of a contact are held against, whose rows have these floors.
     #[inline]
-    pub fn held<const ROWS: usize>(&self, contact: usize, floors: &[f64; ROWS]) -> Held {
+    pub fn held<const ROWS: usize>(&self, contact: usize, given: &[f64; ROWS]) -> Held {
         let known = &self.contacts[contact];
         let (weights, largest) = (known.weights, &self.largest[known.island]);
         let (hidden, jammed) = (largest.hidden(), known.jammed(largest));
         let most = known.most(jammed);
-        let (sizes, floors) = (self.sizes(contact, jammed, most), [floors[0], tangential_norm(floors)]);
+        let (sizes, floors) = (self.sizes(contact, jammed, most), [given[0], tangential_norm(given)]);
         let impulse = if known.moves_itself[0] { [sizes[0], 0.0] } else { self.of_impulse(known) };
-        let value = floors[0].max(floors[1]);
-        let uncertain = (value > hidden).then(|| Part { value, scale: sizes[0] / weights[0], floor: hidden });
+        let uncertain = if floors[0].max(floors[1]) > hidden { Some(self.rounding(contact, given)) } else { None };
+        let part = |value| Part { value, scale: sizes[0] / weights[0], floor: hidden };
+        let uncertain = uncertain.filter(|value| value.is_nan() || *value > hidden).map(part);
         Held { weights, sizes, most, impulse, floors: floors.map(|floor| at_most(hidden, floor)), uncertain }
+    }
+
+    /// The rounding of y at a contact whose rows have these floors, without what u_free and shift lose in each other: q is one sum of two
+    /// numbers, which rounds by an ε of itself, however small it is beside them \[m/s\].
+    #[cold]
+    fn rounding<const ROWS: usize>(&self, contact: usize, floors: &[f64; ROWS]) -> f64 {
+        let lost = |row: usize| self.unrounded.get(contact * ROWS + row).copied().unwrap_or(0.0);
+        let rounded: [f64; ROWS] = std::array::from_fn(|row| floors[row] - lost(row));
+        rounded[0].max(tangential_norm(&rounded))
     }
 
     /// What rounding may hide at a contact \[m/s\].
@@ -375,6 +392,7 @@ fn inverse(count: f64, trace: f64) -> f64 {
 mod tests {
     use super::super::Judge;
     use super::*;
+    use crate::problem::Solution;
     use nalgebra::{DMatrix, DVector, dvector};
 
     #[test]
@@ -386,5 +404,26 @@ mod tests {
         softer.soften(dvector![1.0, 3.0], DVector::zeros(2));
         assert_eq!(Judge::weights(&softer), [[0.5, 0.25]]);
         assert_eq!(Judge::weights(&hard), [[1.0, 1.0]]);
+    }
+
+    #[test]
+    fn what_a_free_velocity_and_a_shift_lose_in_each_other_is_no_rounding_of_their_sum() {
+        let accepts = |w: DMatrix<f64>, shift: DVector<f64>, impulse: DVector<f64>| {
+            let free = DVector::from_element(shift.len(), -2.0);
+            let problem = ContactProblem::new(w, free).rows_per_contact(1).shift(shift).build().unwrap();
+            let solution = Solution::new("by hand", impulse.clone(), problem.velocity(&impulse), 0);
+            Judge::default().judge(&problem, &solution).unwrap().accepts(1e-8)
+        };
+        for q in [4.0 * f64::EPSILON, 2f64.powi(-42), 2f64.powi(-30), -2.0 * f64::EPSILON, -2f64.powi(-42), -1.0] {
+            let alone = |r: f64| accepts(DMatrix::identity(1, 1), dvector![2.0 + q], dvector![r]);
+            let right = (-q).max(0.0);
+            assert!(alone(right) && !alone(right + 1e-3 * q.abs()), "{q:e}");
+            assert!(q > 0.0 || !alone(0.0), "{q:e}: it closes");
+            // impulses that push against each other lose q as ever
+            let jaw = |r: f64| accepts(DMatrix::from_row_slice(2, 2, &[1.0, -1.0, -1.0, 1.0]), dvector![2.0 + q, 2.0 + q], dvector![r, r]);
+            assert!(!jaw(1e16 * q.abs()) && jaw(0.0) == (q > 0.0), "{q:e}");
+        }
+        // a sum that is no number is none that rounding may hide
+        assert!(!accepts(DMatrix::identity(1, 1), dvector![f64::MAX], dvector![f64::MAX]));
     }
 }
