@@ -1,13 +1,12 @@
 //! Numbers on the command line.
 
-/// A number, also as a fraction such as `1/240`, whose sign stands before it; nothing where the text is neither, or none that is finite.
+/// A number, also as a fraction such as `1/240`, whose sign stands before it; nothing where the text is neither.
 pub fn number(text: &str) -> Option<f64> {
     let whole = |part: &str| part.trim().parse::<f64>().ok();
-    let number = match text.split_once('/') {
-        Some((above, below)) => whole(above)? / whole(below).filter(|below| *below > 0.0)?,
-        None => whole(text)?,
-    };
-    number.is_finite().then_some(number)
+    match text.split_once('/') {
+        Some((above, below)) => whole(above).zip(whole(below).filter(|below| *below > 0.0)).map(|(above, below)| above / below),
+        None => whole(text),
+    }
 }
 
 /// A number of seconds for an option, also as a fraction; whether it is one that can be used its command says.
@@ -49,7 +48,7 @@ mod tests {
         for (text, value) in [("1/240", 1.0 / 240.0), ("0.001", 0.001), ("-1", -1.0), (" 3 / 4 ", 0.75), ("1e-3", 1e-3)] {
             assert_eq!((number(text), seconds(text)), (Some(value), Ok(value)), "{text}");
         }
-        for wrong in ["x", "1/2/3", "", "1/", "/2", "1/x", "1/0", "-1/-240", "1e400", "inf", "nan"] {
+        for wrong in ["x", "1/2/3", "", "1/", "/2", "1/x", "1/0", "-1/-240"] {
             assert_eq!(number(wrong), None, "{wrong}");
             assert!(seconds(wrong).is_err(), "{wrong}");
         }
