@@ -14,7 +14,7 @@ pub fn check(limit: Option<f64>) -> Result<()> {
     match limit {
         Some(seconds) if !(seconds > 0.0 && seconds <= LONGEST_SECONDS) => {
             let cure = format!("give a time above 0 and up to {LONGEST_SECONDS:e} seconds, or leave it out for no limit");
-            Err(Error::invalid("--time-limit", format!("is {seconds}"), cure))
+            Err(Error::invalid("--time-limit", format!("is {seconds:?}"), cure))
         }
         _ => Ok(()),
     }
