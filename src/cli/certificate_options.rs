@@ -20,11 +20,16 @@ pub struct CertificateOptions {
     accept_rejected: bool,
 }
 
+/// The solver, asked for half of the tolerance that is accepted where that is more than the default: what is not needed takes time.
+pub fn asked(solver: Box<dyn ContactSolver>, tolerance: f64) -> Box<dyn ContactSolver> {
+    let rougher = (tolerance > CERTIFY).then(|| solver.with_tolerance(ASKED_SHARE * tolerance));
+    rougher.flatten().unwrap_or(solver)
+}
+
 impl CertificateOptions {
-    /// The solver, asked for half of what is accepted where that is more than the default: what is not needed takes time.
+    /// The solver, asked for what is accepted.
     pub fn asked(&self, solver: Box<dyn ContactSolver>) -> Box<dyn ContactSolver> {
-        let rougher = (self.certify_tolerance > CERTIFY).then(|| solver.with_tolerance(ASKED_SHARE * self.certify_tolerance));
-        rougher.flatten().unwrap_or(solver)
+        asked(solver, self.certify_tolerance)
     }
 
     /// The solver with its answers certified.

@@ -1,5 +1,6 @@
 //! A scene through a scheme for who is not at the terminal: what `simulate` runs, with its options as words.
 
+use super::certificate_options::asked;
 use super::scene::{count_steps, find, positive};
 use super::scheme_options::SchemeOptions;
 use crate::report::steps::StepSummary;
@@ -48,7 +49,7 @@ pub struct Motion {
 pub fn motion(question: Question, mut go_on: impl FnMut() -> Result<()>) -> Result<Motion> {
     let options = SchemeOptions::of_words(question.options)?;
     let scheme = options.build(question.scheme)?;
-    let solver = solvers::ALL.by_name(question.solver)?;
+    let solver = asked(solvers::ALL.by_name(question.solver)?, question.tolerance);
     let (staged, scene, note) = match scenes::linkage(question.name) {
         Some(linkage) if question.scene.is_none() => {
             if options.restitution()?.is_some() {

@@ -23,8 +23,10 @@ pub(super) struct Joints<'a> {
     impulse: &'a DVector<f64>,
     /// The contacts and limits.
     pushing: Vec<usize>,
-    /// The rounding of y, row by row \[m/s\].
+    /// The rounding of y and of u, row by row \[m/s\].
     floors: DVector<f64>,
+    /// The part of it that q = u_free + shift, one sum, does not round \[m/s\].
+    unrounded: DVector<f64>,
     /// How far the W of all rows is from one of bodies; found when it is asked.
     strangeness: OnceCell<f64>,
     /// q.
@@ -42,8 +44,11 @@ impl<'a> Joints<'a> {
         let (pushing, mut pushes) = (problem.pushing(), DVector::zeros(problem.rows()));
         pushing.iter().flat_map(|k| problem.rows_of(*k)).for_each(|row| pushes[row] = impulse[row]);
         let (pushed, fastest) = (problem.delassus() * pushes, data.amax());
-        let (floors, strangeness) = (floors(problem, impulse), OnceCell::new());
-        Joints { problem, impulse, pushing, floors, strangeness, data, pushed, fastest }
+        let gamma = gamma(2 * problem.rows() + 8);
+        let given = problem.free_velocity().abs() + problem.shifts().abs();
+        let moved = problem.delassus().abs() * impulse.abs() + problem.softnesses().component_mul(&impulse.abs());
+        let (floors, unrounded) = ((moved + &given) * gamma, (given - data.abs()) * gamma);
+        Joints { problem, impulse, pushing, floors, unrounded, strangeness: OnceCell::new(), data, pushed, fastest }
     }
 
     /// The joint that an impulse of contact `i` of the [`pushing`](JointedProblem::pushing) ones moves most, by what it is judged by.
@@ -81,18 +86,10 @@ impl<'a> Joints<'a> {
     /// A velocity of joint k with its scale and its floor; a floor that hides more of V than it may is a residual itself.
     pub fn part(&self, k: usize, value: f64) -> Part {
         let rows = self.problem.rows_of(k);
-        let (scale, floor) = (self.scale(k), self.floors.rows(rows.start, rows.len()).norm());
+        let [floors, unrounded] = [&self.floors, &self.unrounded].map(|all| all.rows(rows.start, rows.len()));
+        let (scale, floor, rounding) = (self.scale(k), floors.norm(), (floors - unrounded).norm());
         let most = if self.fastest > 0.0 { self.fastest * HIDDEN } else { f64::INFINITY };
-        let value = if floor > most { moreau_exact::number::larger(value, floor) } else { value };
+        let value = if rounding <= most { value } else { moreau_exact::number::larger(value, rounding) };
         Part { value, scale, floor: floor.min(most) }
     }
-}
-
-/// The rounding of y, row by row \[m/s\].
-fn floors(problem: &JointedProblem, impulse: &DVector<f64>) -> DVector<f64> {
-    let sums = problem.delassus().abs() * impulse.abs()
-        + problem.free_velocity().abs()
-        + problem.shifts().abs()
-        + problem.softnesses().component_mul(&impulse.abs());
-    sums * gamma(2 * problem.rows() + 8)
 }

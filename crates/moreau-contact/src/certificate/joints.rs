@@ -83,7 +83,9 @@ fn of_contacts(problem: &JointedProblem, solution: &Solution, joints: &Joints) -
     let mut held = DVector::zeros(problem.rows());
     problem.bilateral().into_iter().flat_map(|k| problem.rows_of(k)).for_each(|row| held[row] = solution.impulse[row]);
     let moved = problem.delassus() * &held;
-    let rounding = (problem.delassus().abs() * held.abs() + problem.free_velocity().abs()) * gamma(2 * problem.rows() + 8);
+    // nothing is added to u_free, and nothing rounds, where the joints move nothing
+    let given = problem.free_velocity().zip_map(&moved, |free, moved| if moved == 0.0 { 0.0 } else { free.abs() });
+    let rounding = (problem.delassus().abs() * held.abs() + given) * gamma(2 * problem.rows() + 8);
     let given = problem.unilateral(problem.delassus(), &(problem.free_velocity() + moved))?;
     let data = problem.free_velocity() + problem.shifts();
     let [impulse, velocity] = [&solution.impulse, &solution.velocity].map(|all| problem.spread(all));
@@ -107,7 +109,8 @@ fn of_contacts(problem: &JointedProblem, solution: &Solution, joints: &Joints) -
 }
 
 fn law_velocity(problem: &JointedProblem, impulse: &DVector<f64>) -> DVector<f64> {
-    problem.velocity(impulse) + problem.shifts() + problem.softnesses().component_mul(impulse)
+    // q first: what u_free and shift lose in each other is lost exactly
+    problem.delassus() * impulse + (problem.free_velocity() + problem.shifts()) + problem.softnesses().component_mul(impulse)
 }
 
 #[cfg(test)]

@@ -164,3 +164,23 @@ fn what_the_impulses_of_joints_move_excuses_no_velocity_of_a_contact() {
         assert!(found.contacts.judged.relative() >= 0.5e-3, "{pushed}: V is 1 m/s, and y_n −1 of it");
     }
 }
+
+#[test]
+fn a_joint_whose_free_velocity_and_shift_cancel_is_judged_by_what_is_left() {
+    for q in [4.0 * f64::EPSILON, -2f64.powi(-42), 2f64.powi(-30)] {
+        // a joint alone, and one beside a contact that it moves half as much and that closes or opens as it would
+        let kinds = [ConstraintKind::Bilateral { rows: 1 }, ConstraintKind::Contact];
+        let of = |rows: usize| {
+            let w = DMatrix::from_fn(rows, rows, |i, j| if i == j { 1.0 } else { 0.5 });
+            let problem = JointedProblem::new(1, kinds[..rows].to_vec(), w, DVector::from_element(rows, -2.0)).unwrap();
+            problem.shift(DVector::from_element(rows, 2.0 + q)).unwrap().law(Law::Frictionless, vec![0.0; rows]).unwrap()
+        };
+        assert!(judged(&of(1), dvector![-q]).is_solution(1e-8), "{q:e}");
+        assert!(!judged(&of(1), dvector![-1.001 * q]).is_solution(1e-8) && !judged(&of(1), dvector![0.0]).is_solution(1e-8), "{q:e}");
+        // without the joint's impulse the contact has q, and with it q/2; together −(2/3) q each
+        let beside = if q > 0.0 { dvector![-q, 0.0] } else { dvector![-q, -q] / 1.5 };
+        assert!(!judged(&of(2), &beside * 1.001).is_solution(1e-8), "{q:e}");
+        // what the joint moves is added to −2 m/s, which rounds
+        assert!(q.abs() < 1e-10 || judged(&of(2), beside).is_solution(1e-8), "{q:e}");
+    }
+}
