@@ -151,6 +151,16 @@ pub const FEW_ROUNDS: usize = 2;
 /// Set.
 pub const FEW_NEWTON_STEPS: usize = 6;
 
+/// Least pivot of the system of a few contacts that all stick, whose rows are of order one, from which it is taken for regular: of a
+/// singular one the least is of the order of η, 2⁻¹² at most. Where it is not regular after all, corrections do not fall, and the step is
+/// one of Newton's method like others.
+/// Set.
+pub const REGULAR_PIVOT: f64 = 1.0 / 64.0;
+
+/// Corrections that take η out of such a system at most: each leaves η/σ of what was wrong, so that four leave rounding where σ ≥ 2⁻¹.
+/// Set.
+pub const FEW_CORRECTIONS: usize = 4;
+
 /// Steps in a row with the factor of an earlier J, from the impulses of the step before: each leaves some 10⁻³ of F in a heap of spheres,
 /// so that four take a millionth to rounding.
 /// Set.

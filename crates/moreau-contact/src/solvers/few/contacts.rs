@@ -24,6 +24,8 @@ pub(super) struct Step {
     pub count: usize,
     /// max |F| of the rows, in impulses \[N·s\].
     pub residual: f64,
+    /// Whether all of these stick, so that every row of the system asks for a velocity.
+    pub all_stick: bool,
 }
 
 impl<const D: usize> Contacts<D> {
@@ -84,7 +86,7 @@ impl<const D: usize> Contacts<D> {
 
     /// Opens what does not press, and lists what does.
     pub(super) fn begin(&mut self, problem: &ContactProblem) -> Option<Step> {
-        let mut step = Step { pressing: [0; MOST], count: 0, residual: 0.0f64 };
+        let mut step = Step { pressing: [0; MOST], count: 0, residual: 0.0f64, all_stick: true };
         for k in 0..self.count {
             if self.velocity[k][0] >= 0.0 && self.impulse[k][0] <= 0.0 {
                 step.residual = step.residual.max(self.push(problem, k, [0.0; D]));
@@ -100,8 +102,9 @@ impl<const D: usize> Contacts<D> {
             }
         }
         for &k in &step.pressing[..step.count] {
-            let Here { rho, slides, .. } = self.here(k);
+            let Here { rho, slides, without } = self.here(k);
             let (r, y, mu) = (&self.impulse[k], &self.velocity[k], self.friction(k));
+            step.all_stick &= slides.is_none() && !without;
             step.residual = step.residual.max((rho[0] * y[0]).abs());
             for row in 1..D {
                 let off = slides.map_or(rho[1] * y[row], |[_, direction @ ..]| mu * r[0] * direction[row - 1] - r[row]);

@@ -59,9 +59,9 @@ impl<const D: usize> Contacts<D> {
             }
             let proximal = proximals[taken.min(proximals.len() - 1)];
             if step.count * D <= SHORT {
-                self.take(problem, &step, newton::step::<D, SHORT>(problem, self, &step, proximal)?);
+                self.take(problem, &step, newton::step::<D, SHORT>(problem, self, &step, [proximal, stop])?);
             } else {
-                self.take(problem, &step, newton::step::<D, LONG>(problem, self, &step, proximal)?);
+                self.take(problem, &step, newton::step::<D, LONG>(problem, self, &step, [proximal, stop])?);
             }
             *iterations += 1;
         }

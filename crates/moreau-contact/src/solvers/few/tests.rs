@@ -201,3 +201,46 @@ fn the_rows_of_a_sliding_contact_are_the_derivative_of_their_right_side() {
         }
     }
 }
+
+#[test]
+fn contacts_that_all_stick_are_ended_by_one_step_where_one_impulse_gives_their_velocity() {
+    let mut numbers = Numbers(11);
+    for trial in 0..60 {
+        let contacts = 2 + trial % (MOST - 1);
+        let n = 3 * contacts;
+        // impulses deep in the cone stop every contact, whatever W is: r = −W⁻¹ u_free is the answer
+        let w = DMatrix::identity(n, n) + numbers.definite(n, 0.25) * (0.5 / n as f64);
+        let held = DVector::from_fn(n, |row, _| if row % 3 == 0 { 1.5 + numbers.next() / 4.0 } else { numbers.next() / 16.0 });
+        let problem = ContactProblem::new(w.clone(), -&w * &held).friction(vec![1.0; contacts]).build().expect("sizes fit");
+        let found = solved(&problem).expect("all stick");
+        assert!((&found.impulse - &held).amax() <= CERTIFY, "{trial}");
+        assert!(found.solver == "nonsmooth-newton" && found.iterations == 3, "{trial}: two sweeps and a step, {}", found.iterations);
+    }
+}
+
+#[test]
+fn the_factors_that_are_left_solve_for_another_right_side() {
+    let mut numbers = Numbers(3);
+    for size in 1..=13 {
+        // a zero in the first place makes rows change places
+        let whole = DMatrix::from_fn(size, size, |row, column| if row + column == 0 && size > 1 { 0.0 } else { numbers.next() });
+        let [expected, other] = [(); 2].map(|()| DVector::from_fn(size, |_, _| numbers.next()));
+        let mut matrix = [[0.0; 16]; 16];
+        (0..size * size).for_each(|at| matrix[at / size][at % size] = whole[(at / size, at % size)]);
+        let right = |x: &DVector<f64>| {
+            let (mut right, b) = ([0.0; 16], &whole * x);
+            right[..size].copy_from_slice(b.as_slice());
+            right
+        };
+        let mut first = right(&expected);
+        let found = elimination::eliminate(&mut matrix, &mut first, size).expect("regular");
+        let mut second = right(&other);
+        found.solve(&matrix, &mut second, size);
+        // partial pivoting: 2ⁿ⁻¹ is the most that entries grow by, and the condition the most that x loses
+        let inverse = whole.clone().try_inverse().expect("regular");
+        let lost = rounding(3 * size, 2f64.powi(size as i32 - 1)) * whole.norm() * inverse.norm() * size as f64;
+        for (x, expected) in [(first, expected), (second, other)] {
+            (0..size).for_each(|row| assert!((x[row] - expected[row]).abs() <= lost, "{size}: {} {}", x[row], expected[row]));
+        }
+    }
+}
