@@ -82,11 +82,25 @@ pub fn answer_in(folder: &Path, problem: &Path) -> PathBuf {
 /// # Errors
 /// [`Error::Invalid`] names the option where a file stands in its place, [`Error::Write`] tells any other failure.
 pub fn make_folder(option: &str, folder: &Path) -> Result<()> {
-    if folder.exists() && !folder.is_dir() {
-        let problem = format!("is {}, which is a file", folder.display());
-        return Err(Error::invalid(option, problem, "name a folder, which is made if it is not there"));
-    }
+    refuse_file(option, folder)?;
     std::fs::create_dir_all(folder).map_err(|source| Error::Write { file: folder.into(), source })
+}
+
+/// Refuses a folder that cannot be made, for a file stands in its place or in that of a folder around it.
+///
+/// # Errors
+/// [`Error::Invalid`] names the option.
+pub fn refuse_file(option: &str, folder: &Path) -> Result<()> {
+    let cure = "name a folder, which is made if it is not there";
+    match folder.ancestors().find(|place| place.exists()) {
+        Some(file) if !file.is_dir() && file == folder => {
+            Err(Error::invalid(option, format!("is {}, which is a file", folder.display()), cure))
+        }
+        Some(file) if !file.is_dir() => {
+            Err(Error::invalid(option, format!("is {}, and {} is a file", folder.display(), file.display()), cure))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Refuses a folder that is not there, of a command that makes none.

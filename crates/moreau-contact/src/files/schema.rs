@@ -66,7 +66,7 @@ fn path_in<T: DeserializeOwned>(text: &str) -> Option<Path> {
 /// The error with the last key before the place where reading stopped, and the path to it.
 fn name_field(text: &str, schema: &str, error: serde_json::Error, path: Option<&Path>) -> Error {
     use serde_json::error::Category;
-    if error.classify() == Category::Eof {
+    if error.classify() == Category::Eof || is_cut_number(text, &error) {
         return ends_early(text, &error);
     }
     if error.classify() == Category::Io {
@@ -162,6 +162,14 @@ fn word_at(text: &str, line: usize, column: usize) -> &str {
     whole.get(start..end).unwrap_or_default()
 }
 
+/// Whether the text ends within a number, as after `0.`, which the reader takes for a number that is none.
+fn is_cut_number(text: &str, error: &serde_json::Error) -> bool {
+    let rest = text.split_inclusive('\n').skip(error.line().saturating_sub(1)).enumerate();
+    let mut after = rest.flat_map(|(k, line)| line.bytes().skip(if k == 0 { error.column() } else { 0 }));
+    let is_unfinished = text.trim_end().ends_with(['.', '-', '+', 'e', 'E']);
+    is_unfinished && error.to_string().starts_with("invalid number") && after.all(|byte| byte.is_ascii_whitespace())
+}
+
 /// The error of a text that is cut off: where it ends, and after which key.
 fn ends_early(text: &str, error: &serde_json::Error) -> Error {
     let field = last_key(text, error.line(), error.column());
@@ -238,6 +246,12 @@ mod tests {
         let cut = message("{\"schema\":\"pair/1\",\n\"first\":[1");
         assert!(cut.contains("`first`") && cut.contains("ends early, at line 2 column 10") && cut.contains("not valid JSON"), "{cut}");
         assert!(message("{").contains("ends early, at line 1"));
+        for number in ["0.", "-", "1e", "1E-", "2.5e+", "12.", "0.\n"] {
+            let cut = message(&format!("{{\"schema\":\"pair/1\",\n\"first\":[1, {number}"));
+            assert!(cut.contains("`first`") && cut.contains("ends early, at line 2 column ") && cut.contains("again, whole"), "{number}: {cut}");
+            let whole = message(&format!("{{\"schema\":\"pair/1\",\n\"first\":[1, {number}], \"second\": 1}}"));
+            assert!(!whole.contains("ends early") && whole.contains("not valid JSON"), "{number}: {whole}");
+        }
         assert!(message(r#"{"schema":"pair/1","first":[NaN],"second":2}"#).contains("`first[0]`: not valid JSON"));
         assert!(message(r#"{"schema":"pair/1","first":[1],"second":-Infinity}"#).contains("`second`: not valid JSON"));
         for number in ["NaN", "-Infinity", "-NaN", "inf"] {
