@@ -1,5 +1,6 @@
 //! Several problems in one command: the files of a folder, and what becomes of those that cannot be read.
 
+use super::kind::advice;
 use super::output::{print, print_aside, table};
 use super::{Answer, Format};
 use crate::report::answers::Answers;
@@ -116,10 +117,14 @@ pub fn require_folder(option: &str, folder: &Path) -> Result<()> {
     Err(Error::invalid(option, format!("is {}, {found}", folder.display()), cure))
 }
 
-/// What an error says where its file is named beside it.
+/// What an error says where its file is named beside it, and which command takes that file, if it is of another kind.
 pub fn reason(error: &Error) -> String {
+    without_file(error) + &advice(error).map_or(String::new(), |advice| format!("; {advice}"))
+}
+
+fn without_file(error: &Error) -> String {
     match error {
-        Error::InFile { inner, .. } => reason(inner),
+        Error::InFile { inner, .. } => without_file(inner),
         Error::Read { .. } => format!("cannot be read: {}", error.cause().unwrap_or_default()),
         other => other.to_string(),
     }

@@ -1,5 +1,6 @@
 //! JSON in: errors that name the field, and files with a schema name.
 
+use super::near::did_you_mean;
 use super::words::{Told, told};
 use moreau_exact::{Error, Result};
 use serde::Deserialize;
@@ -95,7 +96,7 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error, path: Option<&
         let place = format!("at line {} column {}", error.line(), error.column());
         (format!("{problem}, {place}"), format!("{cure}; see the schema {schema}"))
     } else {
-        let meant = nearest(&error.to_string()).map_or(String::new(), |known| format!("did you mean `{known}`? "));
+        let meant = nearest(&error.to_string()).map_or(String::new(), |meant| meant + " ");
         (error.to_string(), format!("{meant}see the schema {schema}"))
     };
     let field = named(&error).or_else(|| last_key(text, error.line(), error.column()));
@@ -189,13 +190,10 @@ fn named(error: &serde_json::Error) -> Option<String> {
     rest.split('`').next().map(String::from)
 }
 
-/// The known field that an unknown one is a misspelling of, from a message that lists them: few letters differ.
-fn nearest(message: &str) -> Option<&str> {
+/// The known fields that an unknown one may be meant as, from a message that lists them.
+fn nearest(message: &str) -> Option<String> {
     let mut quoted = message.strip_prefix("unknown field ")?.split('`').skip(1).step_by(2);
-    let unknown = quoted.next()?;
-    let most = unknown.chars().count().div_ceil(3);
-    let distances = quoted.map(|known| (strsim::damerau_levenshtein(unknown, known), known));
-    distances.filter(|(distance, _)| *distance <= most).min_by_key(|(distance, _)| *distance).map(|(_, known)| known)
+    did_you_mean(quoted.next()?, quoted)
 }
 
 /// The last `"key":` that starts before a line and column (both counted from 1, the column in bytes).
@@ -248,7 +246,10 @@ mod tests {
         assert!(message("{").contains("ends early, at line 1"));
         for number in ["0.", "-", "1e", "1E-", "2.5e+", "12.", "0.\n"] {
             let cut = message(&format!("{{\"schema\":\"pair/1\",\n\"first\":[1, {number}"));
-            assert!(cut.contains("`first`") && cut.contains("ends early, at line 2 column ") && cut.contains("again, whole"), "{number}: {cut}");
+            assert!(
+                cut.contains("`first`") && cut.contains("ends early, at line 2 column ") && cut.contains("again, whole"),
+                "{number}: {cut}"
+            );
             let whole = message(&format!("{{\"schema\":\"pair/1\",\n\"first\":[1, {number}], \"second\": 1}}"));
             assert!(!whole.contains("ends early") && whole.contains("not valid JSON"), "{number}: {whole}");
         }

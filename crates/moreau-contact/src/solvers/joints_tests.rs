@@ -204,7 +204,11 @@ fn joints_that_contradict_each_other_or_nearly_depend_are_refused_by_name() {
     assert_eq!(twice(1.0, 0.5), Ok(1));
     assert_eq!(twice(0.9, 0.25), Ok(0));
     let contradiction = twice(1.0, 0.25).expect_err("0.25 m/s apart");
-    assert!(contradiction.contains("kinds[2]") && contradiction.contains("has a row that depends on other bilateral rows and contradicts them by 0.25 m/s"), "{contradiction}");
+    assert!(
+        contradiction.contains("kinds[2]")
+            && contradiction.contains("has a row that depends on other bilateral rows and contradicts them by 0.25 m/s"),
+        "{contradiction}"
+    );
     // of a joint of several rows it is said which
     let w = dmatrix![1.0, 0.0, 0.0; 0.0, 1.0, 1.0; 0.0, 1.0, 1.0];
     let of_two = JointedProblem::new(1, vec![bilateral(1), bilateral(2)], w, dvector![0.5, 0.5, -1.5]).unwrap();
