@@ -16,6 +16,7 @@ use std::path::Path;
 /// a request: solver; theta and activation of moreau-jean; directions of stewart-trinkle. Only these schemes are served: an engine
 /// declares its contact law, the numbers of it and what it supports, and that is written down for these alone.
 #[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub struct Arguments {
     /// The scheme: moreau-jean, moreau-jean-theta-1, stewart-trinkle or anitescu.
     #[arg(long, value_name = "NAME", default_value = "moreau-jean", conflicts_with = "planted")]
@@ -24,6 +25,12 @@ pub struct Arguments {
     #[arg(long, value_name = "NAME")]
     planted: Option<String>,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  moreau gate --quick --only incline/ -- moreau engine --scheme anitescu
+  moreau protocol-check -- moreau engine
+  moreau gate --quick --only bounce/ -- moreau engine --planted bounce/plastic-boxes   it fails, as it must";
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {

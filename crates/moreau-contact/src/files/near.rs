@@ -7,8 +7,8 @@ const NEAR: f64 = 0.85;
 /// Names that are shown at most.
 const SHOWN: usize = 3;
 
-/// The candidates nearest to `name`, at most three, none that is far from it. A part of a candidate between hyphens, underscores and points
-/// counts as much as the whole: `velocity` is near `free_velocity`.
+/// The candidates nearest to `name`, at most three, none that is far from it. A part of a candidate between hyphens and underscores counts as
+/// much as the whole: `velocity` is near `free_velocity`.
 /// ```
 /// use moreau_contact::files::near;
 ///
@@ -21,7 +21,7 @@ pub fn near<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Ve
         let candidate = candidate.to_lowercase();
         let like = |text: &str| strsim::jaro_winkler(&wanted, text);
         // of two parts that are equally near the one of the nearer whole comes first
-        (candidate.split(['-', '_', '.']).map(like).fold(like(&candidate), f64::max), like(&candidate))
+        (candidate.split(['-', '_']).map(like).fold(like(&candidate), f64::max), like(&candidate))
     };
     let mut ranked: Vec<((f64, f64), &str)> = candidates.into_iter().map(|candidate| (similarity(candidate), candidate)).collect();
     ranked.retain(|((best, _), _)| *best >= NEAR);
