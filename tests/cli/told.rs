@@ -7,7 +7,8 @@ const ANSWER: &str = r#"{"schema": "solution/1", "problem": "block", "impulse": 
 const BASELINE: &str = "schema = \"gate-baseline/1\"\nengine = \"none\"\n";
 
 /// A ball on a belt, which needs schemes that take infinite masses.
-const BELT: &str = r#"{"schema": "scene/1", "name": "belt", "gravity": [0, 0, -9.81], "duration": 0.05, "material": {"friction": 0.5, "restitution": 0},
+const BELT: &str = r#"{"schema": "scene/1", "name": "belt", "gravity": [0, 0, -9.81], "duration": 0.05,
+  "material": {"friction": 0.5, "restitution": 0},
   "bodies": [{"name": "belt", "box": {"half_extents": [1, 1, 0.1]}, "position": [0, 0, 0], "prescribed": {"velocity": [1, 0, 0]}},
              {"name": "ball", "sphere": {"radius": 0.1}, "mass": 1, "position": [0, 0, 0.2]}]}"#;
 
