@@ -1,5 +1,5 @@
-//! A solver that knows whether it was asked, for some schemes have an iteration of their own; where it refuses the problem of a step, solvers
-//! that take it are named, as `moreau solve` names them.
+//! A solver that knows whether it was asked, for some schemes have an iteration of their own; where it refuses the problem of a step,
+//! solvers that take it are named, as `moreau solve` names them.
 
 use super::posed::in_name_of;
 use crate::Result;

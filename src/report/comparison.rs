@@ -161,8 +161,8 @@ impl Comparison {
 }
 
 /// What position errors of schemes without restitution are.
-const FROM_THE_SCENE: &str = "position errors, theirs too, are measured from the closed form with the scene's e; `moreau simulate` measures \
-                              them from that with e = 0";
+const FROM_THE_SCENE: &str = "position errors, theirs too, are measured from the closed form with the scene's e; `moreau simulate` \
+                              measures them from that with e = 0";
 
 fn heading(shown: &[usize]) -> Vec<String> {
     ["scheme".to_string()].into_iter().chain(shown.iter().map(|&k| SHOWN[k].1.to_string())).collect()

@@ -143,8 +143,8 @@ pub fn largest_eigenvalue_bound(operator: &DMatrix<f64>) -> f64 {
     rows.min(operator.norm())
 }
 
-/// 1/L \[kg\]: L is the smaller of the Frobenius norm and the largest absolute column sum of A, which bound ‖A‖₂ where A is symmetric. Where
-/// many contacts share a body the columns take longer than all iterations: who is ended meanwhile makes no step with what was found.
+/// 1/L \[kg\]: L is the smaller of the Frobenius norm and the largest absolute column sum of A, which bound ‖A‖₂ where A is symmetric.
+/// Where many contacts share a body the columns take longer than all iterations: who is ended meanwhile makes no step with what was found.
 pub(super) fn step_length(problem: &ContactProblem) -> f64 {
     let (mut largest, mut squares) = (0.0_f64, 0.0);
     for column in (0..problem.rows()).take_while(|_| !watch::is_over()) {

@@ -138,8 +138,8 @@ impl From<ConstraintKind> for KindFile {
 }
 
 impl ProblemFile {
-    /// Three fields say how many rows there are: W or H, u_free, and `friction` times `dimension`. Where they do not agree, the one that two
-    /// others contradict is wrong; of `friction` and `dimension`, the latter where no number of contacts would do.
+    /// Three fields say how many rows there are: W or H, u_free, and `friction` times `dimension`. Where they do not agree, the one
+    /// that two others contradict is wrong; of `friction` and `dimension`, the latter where no number of contacts would do.
     ///
     /// # Errors
     /// [`Error::Invalid`] names it, with the size that it has and those of the others.
