@@ -1,9 +1,10 @@
-//! A solver that knows whether it was asked: some schemes have an iteration of their own.
+//! A solver that knows whether it was asked, for some schemes have an iteration of their own; where it refuses the problem of a step,
+//! solvers that take it are named, as `moreau solve` names them.
 
 use super::posed::in_name_of;
 use crate::Result;
 use crate::problem::{ContactProblem, Law, Solution};
-use crate::solvers::ContactSolver;
+use crate::solvers::{self, ContactSolver};
 use nalgebra::DVector;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -52,6 +53,7 @@ impl ContactSolver for Asked<'_> {
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         self.asked.store(true, Ordering::Relaxed);
-        self.solver.solve(problem, warm_start).map_err(|error| in_name_of(self.solver.name(), error))
+        let answer = self.solver.solve(problem, warm_start);
+        answer.map_err(|error| solvers::ALL.with_cure(in_name_of(self.solver.name(), error), problem))
     }
 }

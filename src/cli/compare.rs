@@ -1,12 +1,13 @@
 //! `moreau compare`: one scene through several schemes, beside each other.
 
+use super::asked::Asked;
 use super::certificate_options::CertificateOptions;
 use super::limits::CommonOptions;
 use super::near::suggestion;
 use super::number::seconds;
 use super::output::{keep_input, print, print_aside, require_svg, style};
 use super::progress;
-use super::scene::{Steps, count_steps, positive, stage};
+use super::scene::{Steps, count_steps, find, positive, stage};
 use super::solver_table::check_name;
 use super::{Answer, Format};
 use crate::files::write_together;
@@ -16,11 +17,12 @@ use crate::report::json::pretty;
 use crate::report::motion::MotionReport;
 use crate::report::plot;
 use crate::report::steps::StepSummary;
-use crate::scenes::{ExactMotion, Staged};
+use crate::scenes::{self, ExactMotion, Staged};
 use crate::schemes::{self, Certified, SchemeParameters};
 use crate::solvers;
 use crate::trajectory::Recording;
 use crate::{Error, Result};
+use moreau_replicas::staging::plastic_if_needed;
 use std::path::{Path, PathBuf};
 
 /// Run a scene through several schemes and compare what they make of it.
@@ -76,13 +78,14 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let staged = stage(&arguments.scene, "SCENE", "")?;
     let duration = duration.unwrap_or(staged.duration);
     let Steps { count: steps, lasts: duration, remark } = count_steps(duration, arguments.step)?;
-    let certified = arguments.certificate.certified(solver.as_ref())?;
+    let asked = Asked::new(solver.as_ref());
+    let certified = arguments.certificate.certified(&asked)?;
     let run = |name: &str| Run::simulate(&arguments.scene, name, &certified, arguments.step, steps);
     let bar = progress::parts(names.len(), "schemes");
     let runs: Vec<_> = progress::shown(&bar, || names.iter().map(|name| (*name, run(name))).inspect(|_| bar.inc(1)).collect());
     let motions: Vec<_> = runs.iter().filter_map(|(name, run)| Some((*name, run.as_ref().ok()?.motion()))).collect();
     let outcome = |(name, run): &(&str, Result<Run>)| match run {
-        Ok(run) => SchemeOutcome::ran(name, &run.motion().summary(), run.steps()),
+        Ok(run) => SchemeOutcome::ran(name, &run.motion().summary(), run.steps(), run.note),
         Err(error) => SchemeOutcome::refused(name, error.to_string()),
     };
     let comparison = Comparison {
@@ -91,6 +94,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         duration,
         solver: solver.name().into(),
         closed_form: staged.exact.as_ref().map(|exact| ExactMotion::law(exact).into()),
+        form_has_restitution: staged.exact.as_ref().is_some_and(ExactMotion::has_restitution),
         schemes: runs.iter().map(outcome).collect(),
     };
     if let Some(file) = arguments.plot.as_deref().filter(|_| !motions.is_empty()) {
@@ -113,6 +117,8 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
 struct Run {
     staged: Staged,
     recording: Recording,
+    /// What the scheme makes of the scene's restitution, where it has none.
+    note: Option<&'static str>,
 }
 
 impl Run {
@@ -121,7 +127,9 @@ impl Run {
         let scheme = schemes::by_name(name, SchemeParameters::default())?;
         let recording =
             schemes::simulate_certified(scheme.as_ref(), solver, staged.mechanism.as_ref(), staged.start.clone(), h, steps, |_| Ok(()))?;
-        Ok(Run { staged, recording })
+        let scene = if scenes::linkage(scene).is_some() { None } else { Some(find(scene, "SCENE")?) };
+        let note = scene.and_then(|scene| plastic_if_needed(scene, scheme.as_ref(), name, None).1);
+        Ok(Run { staged, recording, note })
     }
 
     fn steps(&self) -> StepSummary {

@@ -15,12 +15,18 @@ use crate::report::matrix::text;
 /// that no check catches would go unnoticed: both are answered with exit code 1. The gate's checks run the quick sweep
 /// of time steps; every claim is put to its controls. It takes five minutes on two idle cores; a bar on a terminal shows how far it is.
 #[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub struct Arguments {
     /// How to write the matrix: as text, or as {"defects": [{name, mistake, kind, repeats, caught_by: [check]}],
     /// "controls": [{claim, controls, caught, why}], "checks_that_catch_nothing": [check]}.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  moreau defects
+  moreau defects --format json > caught.json";
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {

@@ -1,7 +1,7 @@
 //! `--dump-step` and `--dump-rejected`: the contact problem and the answer of a step as files.
 
 use super::outputs::{self, JSON};
-use super::several::make_folder;
+use super::several::{make_folder, refuse_file};
 use crate::certificate::residuals;
 use crate::files::write_together;
 use crate::problem::{ContactKey, ContactProblem, Solution};
@@ -15,8 +15,8 @@ pub struct DumpOptions {
     /// Write the contact problem of step N (from 1) to FILE, and its answer beside it to FILE with `-solution` before the ending.
     #[arg(long, num_args = 2, value_names = ["N", "FILE"], allow_negative_numbers = true)]
     dump_step: Vec<String>,
-    /// Write problem and answer of every step that the certificate rejects into this folder, which is made if it is not there and holds no
-    /// steps of an earlier run.
+    /// Write problem and answer of every step that the certificate rejects into this folder, which holds no steps of an earlier run, and is
+    /// made with the first such step if it is not there.
     #[arg(long, value_name = "FOLDER")]
     dump_rejected: Option<PathBuf>,
 }
@@ -29,7 +29,7 @@ pub struct Dumps<'a> {
 }
 
 impl DumpOptions {
-    /// Checks the step and makes the folder.
+    /// Checks the step and the folder, which is made when there is something to write.
     pub fn start(&self, steps: usize) -> Result<Dumps<'_>> {
         let step = match &self.dump_step[..] {
             [number, file] => {
@@ -42,22 +42,28 @@ impl DumpOptions {
             _ => None,
         };
         if let Some(folder) = &self.dump_rejected {
-            make_folder("--dump-rejected", folder)?;
+            refuse_file(REJECTED, folder)?;
             refuse_earlier_steps(folder)?;
         }
         Ok(Dumps { step, rejected: self.dump_rejected.as_deref(), seen: 0 })
     }
 }
 
+/// The option that names the folder.
+const REJECTED: &str = "--dump-rejected";
+
 /// Files of an earlier run would pass for rejected steps of this one.
 fn refuse_earlier_steps(folder: &Path) -> Result<()> {
+    if !folder.exists() {
+        return Ok(());
+    }
     let unreadable = |source| Error::Read { file: folder.into(), source };
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {
         let name = entry.map_err(unreadable)?.file_name();
         let name = name.to_string_lossy();
         if name.starts_with("step-") && name.ends_with(".json") {
             let problem = format!("names `{}`, which holds `{name}` of an earlier run", folder.display());
-            return Err(Error::invalid("--dump-rejected", problem, "name an empty folder, or one that is not there"));
+            return Err(Error::invalid(REJECTED, problem, "name an empty folder, or one that is not there"));
         }
     }
     Ok(())
@@ -77,7 +83,10 @@ impl Dumps<'_> {
             write(step, problem, solution, file)?;
         }
         match (self.rejected, &step.rejected) {
-            (Some(folder), Some(one)) => write(step, &one.problem, &one.solution, &folder.join(format!("step-{:06}.json", self.seen))),
+            (Some(folder), Some(one)) => {
+                make_folder(REJECTED, folder)?;
+                write(step, &one.problem, &one.solution, &folder.join(format!("step-{:06}.json", self.seen)))
+            }
             _ => Ok(()),
         }
     }

@@ -18,6 +18,8 @@ pub enum Kind {
     Numbers,
     /// JSON with this schema.
     Json(String),
+    /// TOML with this schema.
+    Toml(String),
     /// Anything else, or a file that cannot be read twice.
     Unknown,
 }
@@ -34,7 +36,10 @@ impl Kind {
             _ if opened.is_err() => Kind::Unknown,
             _ if first == HDF5 => Kind::Hdf5,
             Some(b'0'..=b'9') => Kind::Numbers,
-            Some(b'{') => schema(file).map_or(Kind::Unknown, Kind::Json),
+            Some(b'{') => schema(file, |text| serde_json::from_str(text).ok()).map_or(Kind::Unknown, Kind::Json),
+            Some(letter) if letter.is_ascii_alphabetic() || b"#[".contains(letter) => {
+                schema(file, |text| toml::from_str(text).ok()).map_or(Kind::Unknown, Kind::Toml)
+            }
             _ => Kind::Unknown,
         }
     }
@@ -49,7 +54,7 @@ impl Kind {
         match self {
             Kind::Numbers => true,
             Kind::Json(schema) => ["contact-problem/1", "lcp/1"].contains(&schema.as_str()),
-            Kind::Hdf5 | Kind::Unknown => false,
+            Kind::Hdf5 | Kind::Toml(_) | Kind::Unknown => false,
         }
     }
 
@@ -58,7 +63,7 @@ impl Kind {
         match self {
             Kind::Hdf5 => "an HDF5 file".into(),
             Kind::Numbers => "a problem in the .dat of Siconos".into(),
-            Kind::Json(schema) => format!("a {schema}"),
+            Kind::Json(schema) | Kind::Toml(schema) => format!("a {schema}"),
             Kind::Unknown => "of no known kind".into(),
         }
     }
@@ -70,20 +75,57 @@ pub fn is_lcp(file: &Path, posed: &Posed) -> bool {
         Posed::Contacts(problem) if problem.rows_per_contact() == 1 && problem.law() == Law::Frictionless => match Kind::of(file) {
             Kind::Json(schema) => schema == "lcp/1",
             Kind::Numbers => true,
-            Kind::Hdf5 | Kind::Unknown => false,
+            Kind::Hdf5 | Kind::Toml(_) | Kind::Unknown => false,
         },
         _ => false,
     }
 }
 
-fn schema(file: &Path) -> Option<String> {
-    #[derive(Deserialize)]
-    struct Head {
-        schema: String,
-    }
-    let text = std::fs::read_to_string(file).ok()?;
-    serde_json::from_str::<Head>(&text).ok().map(|head| head.schema)
+/// What every file with a schema begins with.
+#[derive(Deserialize)]
+struct Head {
+    schema: String,
 }
+
+fn schema(file: &Path, read: impl FnOnce(&str) -> Option<Head>) -> Option<String> {
+    read(&std::fs::read_to_string(file).ok()?).map(|head| head.schema)
+}
+
+/// What is done with a file of every schema there is; FILE stands for it.
+pub const DONE: [(&str, &str); 11] = [
+    ("contact-problem/1", "`moreau solve FILE` takes it"),
+    ("lcp/1", "`moreau solve FILE` takes it"),
+    ("solution/1", "`moreau certify PROBLEM FILE` takes it"),
+    ("scene/1", "`moreau simulate --scene FILE` takes it"),
+    ("trajectory/1", "`moreau gate --trajectory FILE` takes it"),
+    ("gate-baseline/1", "`moreau gate --baseline FILE -- COMMAND` takes it"),
+    ("gate-report/1", "`moreau gate --out` writes it for programs, and no command takes it"),
+    ("answered-problem/1", "`moreau problems show` writes it for programs, and no command takes it"),
+    ("witnesses/1", "`moreau verify --export` writes it for programs, and no command takes it"),
+    ("report/1", "`moreau report` writes it for programs, and no command takes it"),
+    ("peers/1", "`scripts/bench_peers.py` writes it for programs, and no command takes it"),
+];
+
+/// Which command takes the file that an error is about, where it is of another kind than the one that was read.
+pub fn advice(error: &Error) -> Option<String> {
+    let (file, kind) = match error {
+        Error::InFile { file, inner } if matches!(&**inner, Error::Invalid { field, .. } if MISTAKEN.contains(&field.as_str())) => {
+            (file, Kind::of(file))
+        }
+        // what is no text
+        Error::Read { file, .. } if Kind::of(file) == Kind::Hdf5 => (file, Kind::Hdf5),
+        _ => return None,
+    };
+    let done = match &kind {
+        Kind::Json(schema) | Kind::Toml(schema) => DONE.iter().find(|(known, _)| known == schema)?.1,
+        Kind::Hdf5 | Kind::Numbers => DONE[0].1,
+        Kind::Unknown => return None,
+    };
+    Some(format!("it is {}: {}", kind.words(), done.replace("FILE", &file.display().to_string())))
+}
+
+/// Fields that are named where a file is of another kind: the schema itself, and what reads TOML has no field for.
+const MISTAKEN: [&str; 2] = ["schema", "baseline"];
 
 /// What a file poses; where it is an answer, the error says so.
 ///
@@ -115,4 +157,21 @@ pub fn read_solution(file: &Path, posed: &Posed, usage: &str) -> Result<Solution
         }
         _ => error,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::schemas::FORMATS;
+
+    #[test]
+    fn every_schema_of_a_file_has_its_command() {
+        let of_files = FORMATS.iter().filter_map(|format| format.about.split([',', ' ']).next().filter(|name| name.ends_with("/1")));
+        let named: Vec<&str> = of_files.collect();
+        assert!(named.len() >= 10, "{named:?}");
+        for schema in &named {
+            assert!(DONE.iter().any(|(known, _)| known == schema), "{schema}");
+        }
+        assert_eq!(named.len(), DONE.len(), "{named:?}");
+    }
 }

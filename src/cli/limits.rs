@@ -25,7 +25,7 @@ impl MemoryOption {
     /// # Errors
     /// [`Error::Invalid`] if the size is none.
     pub fn apply(&self) -> Result<()> {
-        memory::set_limit(self.max_memory.as_deref().map_or(Ok(MEMORY_BYTES), bytes)?);
+        memory::set_limit_of_command(self.max_memory.as_deref().map_or(Ok(MEMORY_BYTES), bytes)?);
         Ok(())
     }
 }

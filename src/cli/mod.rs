@@ -166,7 +166,8 @@ fn exit_code(answer: Result<Answer>) -> u8 {
         Ok(Answer::BadInput) => 2,
         Ok(Answer::CannotRun) => gate::CANNOT_RUN,
         Err(error) => {
-            output::print_aside(&format!("error: {error}\n"));
+            let advice = kind::advice(&error).map_or(String::new(), |advice| format!("; {advice}"));
+            output::print_aside(&format!("error: {error}{advice}\n"));
             if is_no_answer(&error) { 1 } else { 2 }
         }
     }
@@ -190,6 +191,19 @@ mod tests {
     #[test]
     fn the_arguments_are_consistent() {
         Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn the_commands_that_are_advised_for_files_are_commands_with_these_options() {
+        let top = Arguments::command();
+        for (schema, done) in kind::DONE {
+            let Some(words) = done.strip_prefix("`moreau ").and_then(|rest| rest.split('`').next()) else { continue };
+            let mut words = words.split(' ');
+            let command = words.next().and_then(|name| top.find_subcommand(name)).unwrap_or_else(|| panic!("{schema}: {done}"));
+            for option in words.filter_map(|word| word.strip_prefix("--")).filter(|option| !option.is_empty()) {
+                assert!(command.get_arguments().any(|argument| argument.get_long() == Some(option)), "{schema}: --{option}");
+            }
+        }
     }
 
     /// Every option whose value is a number, of a command and those below it: the words to it, and its own.

@@ -1,7 +1,8 @@
 //! A scene through a scheme for who is not at the terminal: what `simulate` runs, with its options as words.
 
+use super::asked::Asked;
 use super::certificate_options::asked;
-use super::scene::{count_steps, find, positive};
+use super::scene::{count_steps, find, in_scene, positive};
 use super::scheme_options::SchemeOptions;
 use crate::report::steps::StepSummary;
 use crate::scenes::{self, Scene, Staged};
@@ -60,7 +61,7 @@ pub fn motion(question: Question, mut go_on: impl FnMut() -> Result<()>) -> Resu
         _ => {
             let scene = question.scene.map_or_else(|| find(question.name, "--scene"), Ok)?;
             let (scene, note) = plastic_if_needed(scene, scheme.as_ref(), question.scheme, options.restitution()?);
-            (for_scheme(&scene, question.scheme)?, Some(scene), note)
+            (for_scheme(&scene, question.scheme).map_err(|error| in_scene(error, question.name))?, Some(scene), note)
         }
     };
     let Staged { mechanism, start, duration, .. } = staged;
@@ -68,10 +69,12 @@ pub fn motion(question: Question, mut go_on: impl FnMut() -> Result<()>) -> Resu
     let steps = count_steps(duration, question.step)?;
     let scene = scene.map(|scene| Scene { duration, ..scene });
     let notes: Vec<String> = note.map(String::from).into_iter().chain(steps.remark).collect();
-    let certified = Certified::with_tolerance(solver.as_ref(), question.tolerance);
+    let asked = Asked::new(solver.as_ref());
+    let certified = Certified::with_tolerance(&asked, question.tolerance);
     let observe = |_: &schemes::Step| go_on();
     let recording =
-        schemes::simulate_certified(scheme.as_ref(), &certified, mechanism.as_ref(), start, question.step, steps.count, observe)?;
+        schemes::simulate_certified(scheme.as_ref(), &certified, mechanism.as_ref(), start, question.step, steps.count, observe);
+    let recording = recording.map_err(|error| in_scene(error, question.name))?;
     let engine = Producer::ours(&recording.scheme, solver.name());
     let trajectory = scene.map(|scene| Trajectory::from_recording(&recording, mechanism.as_ref(), &scene, engine)).transpose()?;
     let steps = StepSummary::of(&recording, mechanism.as_ref());

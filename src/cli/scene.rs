@@ -32,6 +32,16 @@ pub fn find(name: &str, argument: &str) -> Result<Scene> {
     Scene::read(file)
 }
 
+/// The error of a scene's mechanism or motion, with the file where the scene is one; an option is nothing of the file.
+pub fn in_scene(error: Error, name: &str) -> Error {
+    match &error {
+        Error::Invalid { field, .. } if !field.starts_with("--") && !scenes::NAMES.contains(&name) && Path::new(name).is_file() => {
+            error.in_file(Path::new(name))
+        }
+        _ => error,
+    }
+}
+
 /// The steps of a motion.
 #[derive(Debug, PartialEq)]
 pub struct Steps {

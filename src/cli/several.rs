@@ -1,5 +1,6 @@
 //! Several problems in one command: the files of a folder, and what becomes of those that cannot be read.
 
+use super::kind::advice;
 use super::output::{print, print_aside, table};
 use super::{Answer, Format};
 use crate::report::answers::Answers;
@@ -82,11 +83,25 @@ pub fn answer_in(folder: &Path, problem: &Path) -> PathBuf {
 /// # Errors
 /// [`Error::Invalid`] names the option where a file stands in its place, [`Error::Write`] tells any other failure.
 pub fn make_folder(option: &str, folder: &Path) -> Result<()> {
-    if folder.exists() && !folder.is_dir() {
-        let problem = format!("is {}, which is a file", folder.display());
-        return Err(Error::invalid(option, problem, "name a folder, which is made if it is not there"));
-    }
+    refuse_file(option, folder)?;
     std::fs::create_dir_all(folder).map_err(|source| Error::Write { file: folder.into(), source })
+}
+
+/// Refuses a folder that cannot be made, for a file stands in its place or in that of a folder around it.
+///
+/// # Errors
+/// [`Error::Invalid`] names the option.
+pub fn refuse_file(option: &str, folder: &Path) -> Result<()> {
+    let cure = "name a folder, which is made if it is not there";
+    match folder.ancestors().find(|place| place.exists()) {
+        Some(file) if !file.is_dir() && file == folder => {
+            Err(Error::invalid(option, format!("is {}, which is a file", folder.display()), cure))
+        }
+        Some(file) if !file.is_dir() => {
+            Err(Error::invalid(option, format!("is {}, and {} is a file", folder.display(), file.display()), cure))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Refuses a folder that is not there, of a command that makes none.
@@ -102,10 +117,14 @@ pub fn require_folder(option: &str, folder: &Path) -> Result<()> {
     Err(Error::invalid(option, format!("is {}, {found}", folder.display()), cure))
 }
 
-/// What an error says where its file is named beside it.
+/// What an error says where its file is named beside it, and which command takes that file, if it is of another kind.
 pub fn reason(error: &Error) -> String {
+    without_file(error) + &advice(error).map_or(String::new(), |advice| format!("; {advice}"))
+}
+
+fn without_file(error: &Error) -> String {
     match error {
-        Error::InFile { inner, .. } => reason(inner),
+        Error::InFile { inner, .. } => without_file(inner),
         Error::Read { .. } => format!("cannot be read: {}", error.cause().unwrap_or_default()),
         other => other.to_string(),
     }

@@ -8,9 +8,9 @@ use super::number::{self, seconds};
 use super::output::{keep_files, no_answer, print, print_aside, require_svg, style};
 use super::outputs::{self, HTML, JSON};
 use super::progress;
-use super::scene::{Steps, count_steps, find, positive};
+use super::scene::{Steps, count_steps, find, in_scene, positive};
 use super::scheme_options::SchemeOptions;
-use super::solver_table::{self, check_name, with_table};
+use super::solver_table::{self, check_name};
 use super::{Answer, Format, time_limit};
 use crate::files::write_together;
 use crate::report::deepest;
@@ -97,8 +97,8 @@ Examples:
   moreau simulate --scene my-scene.json --dump-rejected rejected
   moreau simulate --scene box-stack --dump-step 40 step40.json
 
-Exit code 1: the certificate rejects a step, a step has no answer, or the time limit ended the motion;
---accept-rejected makes the first a warning.";
+Exit code 1: the certificate rejects a step, a step has no answer, as where the solver does not take the
+problems of the scheme, or the time limit ended the motion; --accept-rejected makes the first a warning.";
 
 /// Who solves where nobody is named.
 const DEFAULT_SOLVER: &str = "auto";
@@ -127,11 +127,12 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
     check_name(chosen)?;
     let named = arguments.certificate.asked(solvers::ALL.by_name(chosen)?);
     let solver = Asked::new(named.as_ref());
-    let (staged, scene, note) = match scenes::linkage(scene) {
+    let name = scene;
+    let (staged, scene, note) = match scenes::linkage(name) {
         Some(linkage) => (arguments.build_linkage(linkage)?, None, None),
         None => {
-            let (scene, note) = arguments.build_scene(scene, scheme.as_ref())?;
-            (for_scheme(&scene, &arguments.scheme)?, Some(scene), note)
+            let (scene, note) = arguments.build_scene(name, scheme.as_ref())?;
+            (for_scheme(&scene, &arguments.scheme).map_err(|error| in_scene(error, name))?, Some(scene), note)
         }
     };
     let Steps { count: steps, remark: ends, .. } = count_steps(staged.duration, arguments.step)?;
@@ -152,7 +153,7 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
         Err(_) if seen.interrupted => {
             Some(Cut { step: recording.impulses.len() + 1, of: steps, time: recording.last().time - recording.samples[0].time })
         }
-        ended => ended.map(|()| None).map_err(with_table)?,
+        ended => ended.map(|()| None).map_err(|error| in_scene(error, name))?,
     };
     if arguments.solver.is_some() && touched && !solver.was_asked() {
         let problem = format!("does nothing in {}, which has an iteration of its own", arguments.scheme);
@@ -166,6 +167,7 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
         solver: named.name(),
         note,
         closed_form: exact.as_ref().map(ExactMotion::law),
+        plastic_form: note.is_some() && exact.as_ref().is_some_and(ExactMotion::has_restitution),
         quantities: motion.summary(),
         remarks: ends.into_iter().chain(scene.iter().filter_map(|scene| deepest::remark(&recording, mechanism, scene))).collect(),
         steps: StepSummary::of(&recording, mechanism),

@@ -1,7 +1,6 @@
 //! Which solver takes which contact law, asked of the solvers themselves; and what is near to a name that none has.
 
 use super::near::suggestion;
-use crate::error::Failure;
 use crate::problem::Law;
 use crate::solvers::{self, ContactSolver};
 use crate::{Error, Result};
@@ -73,16 +72,6 @@ pub fn check_name(name: &str) -> Result<()> {
     let near = suggestion(name, solvers::ALL.names(), "");
     let cure = if near.is_empty() { error.to_string() } else { format!("there is no solver `{name}`; {near}") };
     Err(Error::Unsupported(format!("--solver: {cure}")))
-}
-
-/// The error of a motion whose solver refuses a step, with the place where it stands which one takes it.
-pub fn with_table(error: Error) -> Error {
-    match error {
-        Error::Solver { solver, failure: Failure::Refused, reason } => {
-            Error::refused(solver, format!("{reason}; the table in `moreau simulate --help` says which solver takes which law"))
-        }
-        other => other,
-    }
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! `--time-limit`: how long a command may compute.
 
+use crate::number::significant;
 use crate::solvers::watch::Interrupt;
 use crate::tolerance::cli::LONGEST_SECONDS;
 use crate::{Error, Result};
@@ -14,7 +15,7 @@ pub fn check(limit: Option<f64>) -> Result<()> {
     match limit {
         Some(seconds) if !(seconds > 0.0 && seconds <= LONGEST_SECONDS) => {
             let cure = format!("give a time above 0 and up to {LONGEST_SECONDS:e} seconds, or leave it out for no limit");
-            Err(Error::invalid("--time-limit", format!("is {seconds:?}"), cure))
+            Err(Error::invalid("--time-limit", format!("is {}", significant(seconds)), cure))
         }
         _ => Ok(()),
     }

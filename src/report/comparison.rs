@@ -38,6 +38,9 @@ pub struct Comparison {
     /// The closed form that position errors are measured from.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub closed_form: Option<String>,
+    /// Whether the scene's e is in it.
+    #[serde(skip)]
+    pub form_has_restitution: bool,
     /// The schemes, as asked for.
     pub schemes: Vec<SchemeOutcome>,
 }
@@ -52,6 +55,9 @@ pub struct SchemeOutcome {
     /// What the certificate says of its steps; absent if it did not run.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub steps: Option<StepSummary>,
+    /// What the scheme makes of the scene's restitution, where it has none; absent elsewhere.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub note: Option<&'static str>,
     /// Why it did not run to the end.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unsupported: Option<String>,
@@ -73,7 +79,7 @@ pub struct ComparedQuantity {
 
 impl SchemeOutcome {
     /// A scheme that ran.
-    pub fn ran(name: &str, summary: &[Quantity], steps: StepSummary) -> Self {
+    pub fn ran(name: &str, summary: &[Quantity], steps: StepSummary, note: Option<&'static str>) -> Self {
         let find = |(wanted, _): &(&str, &str)| summary.iter().find(|quantity| quantity.name == *wanted);
         let compared = |quantity: &Quantity| ComparedQuantity {
             name: quantity.name.into(),
@@ -85,13 +91,14 @@ impl SchemeOutcome {
             name: name.into(),
             quantities: SHOWN.iter().filter_map(find).map(compared).collect(),
             steps: Some(steps),
+            note,
             unsupported: None,
         }
     }
 
     /// A scheme that did not.
     pub fn refused(name: &str, reason: String) -> Self {
-        SchemeOutcome { name: name.into(), quantities: Vec::new(), steps: None, unsupported: Some(reason) }
+        SchemeOutcome { name: name.into(), quantities: Vec::new(), steps: None, note: None, unsupported: Some(reason) }
     }
 }
 
@@ -123,6 +130,7 @@ impl Comparison {
             let steps = scheme.steps.as_ref().filter(|steps| steps.rejected + steps.unconverged > 0);
             text += &steps.map(|steps| line(format!("{}: {}", scheme.name, steps.text().trim_end()))).unwrap_or_default();
         }
+        text += &self.notes(&ran).into_iter().map(line).collect::<String>();
         for scheme in &self.schemes {
             if let Some(reason) = &scheme.unsupported {
                 text += &line(format!("{}: unsupported: {reason}", scheme.name));
@@ -131,6 +139,30 @@ impl Comparison {
         text
     }
 }
+
+impl Comparison {
+    /// What schemes without restitution make of the scene, one sentence for all that make the same of it; and, where the closed form has e,
+    /// why `simulate` says another position error.
+    fn notes(&self, ran: &[&SchemeOutcome]) -> Vec<String> {
+        let mut groups: Vec<(&str, Vec<&str>)> = Vec::new();
+        for scheme in ran {
+            let Some(note) = scheme.note else { continue };
+            match groups.iter_mut().find(|(known, _)| *known == note) {
+                Some((_, names)) => names.push(&scheme.name),
+                None => groups.push((note, vec![&scheme.name])),
+            }
+        }
+        let mut notes: Vec<String> = groups.iter().map(|(note, names)| format!("{}: {note}", names.join(", "))).collect();
+        if !notes.is_empty() && self.form_has_restitution {
+            notes.push(FROM_THE_SCENE.into());
+        }
+        notes
+    }
+}
+
+/// What position errors of schemes without restitution are.
+const FROM_THE_SCENE: &str = "position errors, theirs too, are measured from the closed form with the scene's e; `moreau simulate` \
+                              measures them from that with e = 0";
 
 fn heading(shown: &[usize]) -> Vec<String> {
     ["scheme".to_string()].into_iter().chain(shown.iter().map(|&k| SHOWN[k].1.to_string())).collect()
@@ -210,10 +242,18 @@ mod tests {
     fn a_scheme_that_did_not_run_stands_below_the_table() {
         let quantity = |name, value| Quantity { name, value, unit: "m", rounding: None };
         let none = StepSummary { steps: 0, solved: 0, rejected: 0, unconverged: 0, worst: None };
-        let ran = SchemeOutcome::ran("a", &SHOWN.map(|(name, _)| quantity(name, (name == "deepest penetration").then_some(0.5))), none);
+        let ran =
+            SchemeOutcome::ran("a", &SHOWN.map(|(name, _)| quantity(name, (name == "deepest penetration").then_some(0.5))), none, None);
         let schemes = vec![ran, SchemeOutcome::refused("b", "no joints".into())];
-        let comparison =
-            Comparison { scene: "x".into(), time_step: 0.01, duration: 1.0, solver: "auto".into(), closed_form: None, schemes };
+        let comparison = Comparison {
+            scene: "x".into(),
+            time_step: 0.01,
+            duration: 1.0,
+            solver: "auto".into(),
+            closed_form: None,
+            form_has_restitution: false,
+            schemes,
+        };
         let text = comparison.text(Style::PLAIN);
         let expected = "scheme  penetration    settling time\na             0.5 m  does not settle\nb: unsupported: no joints\n";
         assert!(text.contains(expected), "{text}");

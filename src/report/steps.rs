@@ -74,7 +74,12 @@ impl StepSummary {
     /// One line, two if steps are unconverged by declaration.
     pub fn text(&self) -> String {
         let StepSummary { steps, rejected, unconverged, .. } = self;
-        let worst = self.worst.as_ref().map(|worst| format!(", worst {}", worst.text())).unwrap_or_default();
+        let worst = match &self.worst {
+            None => String::new(),
+            // it would name a step that is no worse than the others
+            Some(worst) if worst.relative == Some(0.0) => ", every residual is 0".into(),
+            Some(worst) => format!(", worst {}", worst.text()),
+        };
         let line = |what: &str, count: usize, worst: &str| format!("{what}: {count} of {steps}{worst}\n");
         match unconverged {
             0 => line("steps the certificate rejects", *rejected, &worst),
@@ -84,13 +89,14 @@ impl StepSummary {
 }
 
 impl WorstStep {
-    /// `normal 0.9 (limit 1e-8) at t = 0.35 s, contact box/ground`.
+    /// `normal residual 0.9 of its scale (limit 1e-8) in the step to t = 0.35 s, contact box/ground`.
     pub fn text(&self) -> String {
-        let relative = self.relative.map_or("not a number".into(), significant);
+        let relative = self.relative.map_or("no number".into(), significant);
         let rule = if self.rule == "certificate" { String::new() } else { format!(" of the {}", self.rule) };
         let contact = self.contact.as_ref().map(|contact| format!(", contact {contact}")).unwrap_or_default();
         let time = with_unit(&significant(self.time), "s");
-        format!("{} residual{rule} {relative} (limit {}) at t = {time}{contact}", self.residual, significant(self.limit))
+        let (residual, limit) = (self.residual, significant(self.limit));
+        format!("{residual} residual{rule} {relative} of its scale (limit {limit}) in the step to t = {time}{contact}")
     }
 }
 
@@ -119,6 +125,24 @@ mod tests {
         let summary = StepSummary::of(&recording, mechanism.as_ref());
         let worst = summary.worst.expect("four residuals");
         assert_eq!((worst.step, worst.relative, summary.rejected), (2, None, 3));
-        assert!(worst.text().contains("not a number"), "{}", worst.text());
+        assert!(worst.text().contains("no number"), "{}", worst.text());
+    }
+
+    #[test]
+    fn where_every_residual_is_0_no_step_is_named_as_the_worst() {
+        let worst = |relative| WorstStep {
+            step: 2,
+            time: 0.25,
+            rule: "certificate",
+            residual: "normal",
+            relative: Some(relative),
+            limit: 1e-8,
+            contact: Some("box/ground".into()),
+        };
+        let text = |worst| StepSummary { steps: 3, solved: 2, rejected: 0, unconverged: 0, worst }.text();
+        assert_eq!(text(None), "steps the certificate rejects: 0 of 3\n");
+        assert_eq!(text(Some(worst(0.0))), "steps the certificate rejects: 0 of 3, every residual is 0\n");
+        let step = "worst normal residual 2e-9 of its scale (limit 1e-8) in the step to t = 0.25 s, contact box/ground";
+        assert_eq!(text(Some(worst(2e-9))), format!("steps the certificate rejects: 0 of 3, {step}\n"));
     }
 }

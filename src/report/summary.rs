@@ -21,6 +21,9 @@ pub struct MotionSummary<'a> {
     pub note: Option<&'static str>,
     /// The closed form that the motion is held against, if the scene has one.
     pub closed_form: Option<&'static str>,
+    /// Whether its e is 0 in place of the scene's, as the note says.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub plastic_form: bool,
     /// Penetration, energy, restitution and whatever else is defined for it.
     pub quantities: Vec<Quantity>,
     /// What is unusual about the motion, such as a penetration that is deep for the size of the body; absent where nothing is.
@@ -59,8 +62,12 @@ impl MotionSummary<'_> {
     /// For reading.
     pub fn text(&self, style: Style) -> String {
         let form = self.closed_form.unwrap_or("none for this scene");
-        let head =
-            [format!("scene {}", self.scene), format!("scheme {}, solver {}", self.scheme, self.solver), format!("closed form: {form}")];
+        let plastic = if self.plastic_form { ", with e = 0" } else { "" };
+        let head = [
+            format!("scene {}", self.scene),
+            format!("scheme {}, solver {}", self.scheme, self.solver),
+            format!("closed form: {form}{plastic}"),
+        ];
         let line = |text: String| style.wrapped("", "  ", &text) + "\n";
         let head: String = head.into_iter().chain(self.note.map(|note| format!("note: {note}"))).map(line).collect();
         let cut: String = self.cut.iter().map(|cut| line(cut.text())).collect();

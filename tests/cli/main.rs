@@ -26,6 +26,7 @@ mod solve;
 mod steps;
 mod systems;
 mod terminal;
+mod told;
 mod verify;
 
 use serde_json::Value;

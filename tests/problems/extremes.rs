@@ -63,5 +63,5 @@ fn a_hundred_thousand_contacts_are_swept_and_certified_and_a_square_matrix_of_th
     assert!(answer.iterations <= 2 && is_solution(&problem, &answer));
     // 720 GB: refused before it is taken
     let message = problem.law_delassus().expect_err("too large").to_string();
-    assert!(message.contains("--max-memory"), "{message}");
+    assert!(message.contains("memory::set_limit"), "{message}");
 }

@@ -82,8 +82,10 @@ impl Engine for Library {
         let steps = (scene.duration / time_step).round() as usize;
         resampled(stored, scene, time_step, steps, sample_every).ok_or_else(|| {
             Refusal::unsupported(format!(
-                "the stored trajectory of `{}` lacks samples: every {sample_every} steps up to {} s",
-                scene.name, scene.duration
+                "the stored trajectory of `{}` lacks samples: every {sample_every} steps up to {} s; its last one is at {} s",
+                scene.name,
+                scene.duration,
+                stored.times.last().copied().unwrap_or_default()
             ))
         })
     }

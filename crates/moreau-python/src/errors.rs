@@ -35,8 +35,14 @@ fn innermost(error: &Error) -> &Error {
     }
 }
 
+/// What the limit of memory is called as a field.
+const MEMORY_LIMIT: &str = "memory_limit";
+
 /// A name of the command line as a keyword: `--max-memory` is `max_memory`.
 fn keyword(field: &str) -> String {
+    if field == "memory::limit" {
+        return MEMORY_LIMIT.into();
+    }
     field.strip_prefix("--").map_or_else(|| field.to_string(), |option| option.replace('-', "_"))
 }
 
@@ -48,7 +54,7 @@ fn in_python(message: &str) -> String {
         }
         _ => word.to_string(),
     };
-    let message = message.replace("call `memory::set_limit`", "call moreau_contact.set_memory_limit(bytes)");
+    let message = message.replace("memory::set_limit", "moreau_contact.set_memory_limit").replace("memory::limit", MEMORY_LIMIT);
     message.split(' ').map(word).collect::<Vec<_>>().join(" ")
 }
 

@@ -30,7 +30,8 @@ pub struct Arguments {
     /// velocities are unique; whether there is no solution at all; how many velocities there are, to six contacts in the plane, three in
     /// space and 20 unknowns λ, β, σ of polyhedral friction. Of that, besides, how far a solution of its complementarity problem is. Of a
     /// linear complementarity problem, moreover: how far a solution is, and how many there are; without an answer, the latter alone. Of a
-    /// problem with joints, all of this but the number of velocities.
+    /// problem with joints, all of this but the number of velocities. It takes seconds, for some hundred contacts too. There is no limit of
+    /// time: a search ends undecided after a counted amount of work, ten seconds or so, so that it ends in the same way everywhere.
     #[arg(long)]
     pub(super) prove: bool,
     #[command(flatten)]

@@ -1,10 +1,12 @@
 //! What `moreau gate` judges: a program, or stored trajectories.
 
 use super::Arguments;
+use crate::cli::output::print_aside;
 use crate::gate::audit::audit;
 use crate::gate::library::{Library, read_description};
 use crate::gate::process::{Limits, ProcessEngine, end_engines_on_interrupt};
 use crate::gate::{Engine, Report, Verdict};
+use crate::number::significant;
 use crate::trajectory::Trajectory;
 use crate::{Error, Result};
 use std::time::Duration;
@@ -37,7 +39,32 @@ pub fn audited(arguments: &Arguments, mut report: Report) -> Result<Report> {
     report.checks.retain(|check| check.verdict != Verdict::Unsupported);
     for file in &arguments.trajectory {
         let name = format!("trajectory/{}", file.file_stem().unwrap_or_default().to_string_lossy());
-        report.checks.push(audit(&name, &Trajectory::read(file)?, &report.engine));
+        let trajectory = Trajectory::read(file)?;
+        if let Some(remark) = cut(&trajectory) {
+            print_aside(&format!("remark: {}: {remark}\n", file.display()));
+        }
+        report.checks.push(audit(&name, &trajectory, &report.engine));
     }
     Ok(report)
+}
+
+/// That a motion ends before its scene does, and why where its producer says so: what is missing no check sees.
+fn cut(trajectory: &Trajectory) -> Option<String> {
+    let Trajectory { times, scene, time_step, engine, .. } = trajectory;
+    let end = *times.last()?;
+    // the last sample of a whole motion is at most one interval before its end
+    let interval = times.windows(2).last().map_or(0.0, |last| last[1] - last[0]);
+    let told = engine.options.get("cut");
+    if told.is_none() && scene.duration - end <= interval.max(*time_step) {
+        return None;
+    }
+    let number = |key: &str| told.and_then(|cut| cut.get(key)).and_then(serde_json::Value::as_u64);
+    let why = match (number("step"), number("of")) {
+        (Some(step), Some(of)) => format!(": the time limit of `moreau simulate` ended it in step {step} of {of}"),
+        _ => String::new(),
+    };
+    let [end, duration] = [end, scene.duration].map(significant);
+    Some(format!(
+        "the motion is cut, it ends at t = {end} s of {duration} s{why}; what it has is audited, and checks that need more are left out"
+    ))
 }

@@ -9,6 +9,7 @@ use crate::report::problems::show;
 
 /// Show a problem's answers with what is proved of them, and what every solver did.
 #[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub struct Arguments {
     /// The problem's name.
     name: String,
@@ -16,6 +17,11 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  moreau problems show box-rough
+  moreau problems show box-rough --format json > box-rough.answered.json";
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {

@@ -23,6 +23,7 @@ fn page(steps: usize, change: impl Fn(&mut Recording)) -> (String, Value) {
         solver: "x",
         note: Some("a <note>"),
         closed_form: None,
+        plastic_form: false,
         quantities: motion.summary(),
         remarks: vec!["deep <i>".into()],
         steps,

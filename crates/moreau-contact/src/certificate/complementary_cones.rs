@@ -14,6 +14,7 @@ use super::feasibility::nonnegative_solution;
 use super::planted::{Plant, planted};
 use crate::problem::Lcp;
 use crate::tolerance::complementarity::{CONE_SOLUTIONS, CONE_WORK};
+use crate::watch;
 use moreau_exact::scalar::{Rational, ratio};
 use moreau_exact::witness::{Part, Witness, decided};
 use moreau_exact::{Error, Result};
@@ -233,7 +234,8 @@ impl Search<'_> {
 
     /// Takes work off what is left of it.
     fn spend(&mut self, work: u64) {
-        self.stopped |= work > self.work;
+        // who ends a solver is told the same as where the work is done
+        self.stopped |= work > self.work || watch::is_over();
         self.work = self.work.saturating_sub(work);
     }
 

@@ -19,6 +19,7 @@ use super::true_operator::is_stored_exactly;
 use super::verified_cholesky::is_positive_definite;
 use crate::problem::{ContactProblem, Lcp};
 use crate::tolerance::complementarity::{EXACT_ROWS, FEASIBLE_ROWS, OPEN_ROWS};
+use moreau_exact::number::{significant, two_digits};
 use moreau_exact::scalar::{Rational, Scalar, exact};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -128,7 +129,7 @@ pub fn prove(lcp: &Lcp<f64>, z: &DVector<f64>) -> Result<Answer> {
             let name = if is_z { "z" } else { "w" };
             Answer::NotProved {
                 row: Some(row),
-                reason: format!("on the basis of the answer {name} of the row is {:e}", value.to_f64().value()),
+                reason: format!("on the basis of the answer {name} of the row is {}", significant(value.to_f64().value())),
             }
         }
     })
@@ -173,7 +174,7 @@ fn enclosed(lcp: &Lcp<f64>, z: &DVector<f64>, support: &[bool]) -> Answer {
         }
         Err(Undecided::Sign { row, is_z, within: [middle, radius] }) => {
             let name = if is_z { "z" } else { "w" };
-            let reason = format!("on the basis of the answer {name} of the row is {middle:e} ± {radius:.1e}");
+            let reason = format!("on the basis of the answer {name} of the row is {} ± {}", significant(middle), two_digits(radius));
             return Answer::NotProved { row: Some(row), reason };
         }
     };

@@ -1,5 +1,6 @@
 //! JSON in: errors that name the field, and files with a schema name.
 
+use super::near::did_you_mean;
 use super::words::{Told, told};
 use moreau_exact::{Error, Result};
 use serde::Deserialize;
@@ -66,7 +67,7 @@ fn path_in<T: DeserializeOwned>(text: &str) -> Option<Path> {
 /// The error with the last key before the place where reading stopped, and the path to it.
 fn name_field(text: &str, schema: &str, error: serde_json::Error, path: Option<&Path>) -> Error {
     use serde_json::error::Category;
-    if error.classify() == Category::Eof {
+    if error.classify() == Category::Eof || is_cut_number(text, &error) {
         return ends_early(text, &error);
     }
     if error.classify() == Category::Io {
@@ -95,7 +96,7 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error, path: Option<&
         let place = format!("at line {} column {}", error.line(), error.column());
         (format!("{problem}, {place}"), format!("{cure}; see the schema {schema}"))
     } else {
-        let meant = nearest(&error.to_string()).map_or(String::new(), |known| format!("did you mean `{known}`? "));
+        let meant = nearest(&error.to_string()).map_or(String::new(), |meant| meant + " ");
         (error.to_string(), format!("{meant}see the schema {schema}"))
     };
     let field = named(&error).or_else(|| last_key(text, error.line(), error.column()));
@@ -162,6 +163,14 @@ fn word_at(text: &str, line: usize, column: usize) -> &str {
     whole.get(start..end).unwrap_or_default()
 }
 
+/// Whether the text ends within a number, as after `0.`, which the reader takes for a number that is none.
+fn is_cut_number(text: &str, error: &serde_json::Error) -> bool {
+    let rest = text.split_inclusive('\n').skip(error.line().saturating_sub(1)).enumerate();
+    let mut after = rest.flat_map(|(k, line)| line.bytes().skip(if k == 0 { error.column() } else { 0 }));
+    let is_unfinished = text.trim_end().ends_with(['.', '-', '+', 'e', 'E']);
+    is_unfinished && error.to_string().starts_with("invalid number") && after.all(|byte| byte.is_ascii_whitespace())
+}
+
 /// The error of a text that is cut off: where it ends, and after which key.
 fn ends_early(text: &str, error: &serde_json::Error) -> Error {
     let field = last_key(text, error.line(), error.column());
@@ -181,13 +190,10 @@ fn named(error: &serde_json::Error) -> Option<String> {
     rest.split('`').next().map(String::from)
 }
 
-/// The known field that an unknown one is a misspelling of, from a message that lists them: few letters differ.
-fn nearest(message: &str) -> Option<&str> {
+/// The known fields that an unknown one may be meant as, from a message that lists them.
+fn nearest(message: &str) -> Option<String> {
     let mut quoted = message.strip_prefix("unknown field ")?.split('`').skip(1).step_by(2);
-    let unknown = quoted.next()?;
-    let most = unknown.chars().count().div_ceil(3);
-    let distances = quoted.map(|known| (strsim::damerau_levenshtein(unknown, known), known));
-    distances.filter(|(distance, _)| *distance <= most).min_by_key(|(distance, _)| *distance).map(|(_, known)| known)
+    did_you_mean(quoted.next()?, quoted)
 }
 
 /// The last `"key":` that starts before a line and column (both counted from 1, the column in bytes).
@@ -238,6 +244,12 @@ mod tests {
         let cut = message("{\"schema\":\"pair/1\",\n\"first\":[1");
         assert!(cut.contains("`first`") && cut.contains("ends early, at line 2 column 10") && cut.contains("not valid JSON"), "{cut}");
         assert!(message("{").contains("ends early, at line 1"));
+        for number in ["0.", "-", "1e", "1E-", "2.5e+", "12.", "0.\n"] {
+            let cut = message(&format!("{{\"schema\":\"pair/1\",\n\"first\":[1, {number}"));
+            assert!(cut.contains("`first`") && cut.contains("ends early, at line ") && cut.contains("again, whole"), "{number}: {cut}");
+            let whole = message(&format!("{{\"schema\":\"pair/1\",\n\"first\":[1, {number}], \"second\": 1}}"));
+            assert!(!whole.contains("ends early") && whole.contains("not valid JSON"), "{number}: {whole}");
+        }
         assert!(message(r#"{"schema":"pair/1","first":[NaN],"second":2}"#).contains("`first[0]`: not valid JSON"));
         assert!(message(r#"{"schema":"pair/1","first":[1],"second":-Infinity}"#).contains("`second`: not valid JSON"));
         for number in ["NaN", "-Infinity", "-NaN", "inf"] {

@@ -8,9 +8,12 @@ pub mod spare;
 use crate::tolerance::limits::MEMORY_BYTES;
 use moreau_exact::{Error, Result};
 use std::fmt::Display;
-use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
 
 static LIMIT: AtomicU64 = AtomicU64::new(MEMORY_BYTES);
+
+/// Whether the limit is that of an option of the command line, which its messages then name in place of the function.
+static IS_OPTION: AtomicBool = AtomicBool::new(false);
 
 /// The limit \[bytes\].
 pub fn limit() -> u64 {
@@ -20,26 +23,43 @@ pub fn limit() -> u64 {
 /// Sets the limit \[bytes\] of this process.
 pub fn set_limit(bytes: u64) {
     LIMIT.store(bytes, Relaxed);
+    IS_OPTION.store(false, Relaxed);
 }
+
+/// [`set_limit`] for a command, whose option `--max-memory` is named where the limit is too low.
+pub fn set_limit_of_command(bytes: u64) {
+    set_limit(bytes);
+    IS_OPTION.store(true, Relaxed);
+}
+
+/// What raises the limit, as a message names it.
+pub(crate) fn raised_by() -> &'static str {
+    if IS_OPTION.load(Relaxed) { OPTION } else { "`memory::set_limit`" }
+}
+
+/// The option of the command line.
+const OPTION: &str = "--max-memory";
 
 /// Refuses a computation that needs more than the limit.
 ///
 /// # Errors
 /// [`Error::Invalid`] with the size needed and the cure.
 pub fn require(what: impl Display, bytes: u128) -> Result<()> {
-    require_within(limit(), what, bytes)
+    require_within(limit(), IS_OPTION.load(Relaxed), what, bytes)
 }
 
-fn require_within(limit: u64, what: impl Display, bytes: u128) -> Result<()> {
+fn require_within(limit: u64, is_option: bool, what: impl Display, bytes: u128) -> Result<()> {
     if bytes <= u128::from(limit) {
         return Ok(());
     }
     let problem = format!("is {}, but {what} needs about {}", size(u128::from(limit)), size(bytes));
-    Err(Error::invalid(
-        "--max-memory",
-        problem,
-        format!("take fewer bodies or contacts, pass {} or call `memory::set_limit`", allowance(bytes)),
-    ))
+    // the next whole number of MB, as the command line takes it
+    let megabytes = bytes.div_ceil(1_000_000);
+    let (field, cure) = match is_option {
+        true => (OPTION, format!("pass {OPTION} {megabytes}MB")),
+        false => ("memory::limit", format!("call `memory::set_limit({megabytes}_000_000)`")),
+    };
+    Err(Error::invalid(field, problem, format!("take fewer bodies or contacts, or {cure}")))
 }
 
 /// Bytes of a dense matrix, without overflow.
@@ -54,20 +74,20 @@ pub fn size(bytes: u128) -> String {
     if one == 1 { format!("{bytes} B") } else { format!("{:.1} {unit}", bytes as f64 / one as f64) }
 }
 
-/// The next whole number of MB, as the command line takes it.
-fn allowance(bytes: u128) -> String {
-    format!("--max-memory {}MB", bytes.div_ceil(1_000_000))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn as_much_as_the_limit_is_granted_and_a_byte_more_is_not() {
-        assert!(require_within(1000, "a test", 1000).is_ok());
-        let message = require_within(1000, "a test", 1001).expect_err("too much").to_string();
-        assert!(message.contains("a test needs about 1.0 kB") && message.contains("--max-memory 1MB"), "{message}");
+        assert!(require_within(1000, false, "a test", 1000).is_ok());
+        let message = |is_option| require_within(1000, is_option, "a test", 1_000_001).expect_err("too much").to_string();
+        let [library, command] = [false, true].map(message);
+        for said in [&library, &command] {
+            assert!(said.contains("is 1.0 kB, but a test needs about 1.0 MB"), "{said}");
+        }
+        assert!(library.contains("`memory::set_limit(2_000_000)`") && !library.contains("--"), "{library}");
+        assert!(command.contains("`--max-memory`") && command.contains("pass --max-memory 2MB") && !command.contains("::"), "{command}");
     }
 
     #[test]

@@ -203,6 +203,6 @@ mod tests {
         assert!(refused(&[(1, &[1.0, 2.0])]).contains("2 entries"));
         assert_eq!(rows.contacts(), 0, "nothing is kept of what is refused");
         assert!(BlockRows::new(7, [1]).is_err() && BlockRows::new(0, [1]).is_err());
-        assert!(rows.reserve(usize::MAX / 8).unwrap_err().to_string().contains("--max-memory"));
+        assert!(rows.reserve(usize::MAX / 8).unwrap_err().to_string().contains("memory::set_limit"));
     }
 }

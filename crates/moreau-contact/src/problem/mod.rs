@@ -24,7 +24,7 @@ pub use contact_problem::{Compliance, ContactProblem, ContactProblemBuilder, Coo
 pub(crate) use contact_problem::{Weights, island_rows};
 #[cfg(feature = "fclib")]
 pub use fclib::StoredAnswers;
-pub(crate) use jointed::ByRows;
+pub(crate) use jointed::{ByRows, MOST_ROWS};
 pub use jointed::{ConstraintKind, JointedProblem};
 #[cfg(feature = "files")]
 pub use json::{LcpFile, ProblemFile, SolutionFile, WarmStart};

@@ -98,14 +98,15 @@ impl ClarabelPolished {
 fn interior_point(problem: &ContactProblem) -> Result<(DVector<f64>, usize)> {
     let data = problem.free_velocity() + problem.shift();
     let (stiffness, speed) = (largest_entry(problem), data.amax());
-    if speed == 0.0 {
-        return Ok((DVector::zeros(problem.rows()), 0));
+    let none = || Ok((DVector::zeros(problem.rows()), 0));
+    if speed == 0.0 || watch::was_over() {
+        return none();
     }
     if stiffness == 0.0 {
         return Err(Error::breakdown(NAME, "W + R is zero, so no impulse changes any velocity"));
     }
     let n = problem.rows();
-    let quadratic = upper_triangle(problem, stiffness);
+    let Some(quadratic) = upper_triangle(problem, stiffness) else { return none() };
     let linear: Vec<f64> = data.iter().map(|q| q / speed).collect();
     let (constraint, cones) = cones(problem);
     let settings = DefaultSettingsBuilder::default()
@@ -152,22 +153,25 @@ fn cones(problem: &ContactProblem) -> (CscMatrix<f64>, Vec<SupportedConeT<f64>>)
     (CscMatrix::new(n, n, (0..=n).collect(), (0..n).collect(), diagonal), cones)
 }
 
-/// The largest entry of W or R \[1/kg\].
+/// The largest entry of W or R \[1/kg\], of those that were looked at where the caller ends it.
 fn largest_entry(problem: &ContactProblem) -> f64 {
     let mut largest = 0.0_f64;
-    for column in 0..problem.rows() {
+    for column in (0..problem.rows()).take_while(|_| !watch::is_over()) {
         largest = largest.max(super::compliance(problem, column));
         problem.delassus().for_each_in_column(column, |_, w| largest = largest.max(w.abs()));
     }
     largest
 }
 
-/// The upper triangle of ((W + Wᵀ)/2 + R)/unit, entries that are zero left out.
-fn upper_triangle(problem: &ContactProblem, unit: f64) -> CscMatrix<f64> {
+/// The upper triangle of ((W + Wᵀ)/2 + R)/unit, entries that are zero left out; none where the caller ends it.
+fn upper_triangle(problem: &ContactProblem, unit: f64) -> Option<CscMatrix<f64>> {
     let n = problem.rows();
     let mut starts = vec![0];
     let (mut rows, mut values): (Vec<usize>, Vec<f64>) = (Vec::new(), Vec::new());
     for column in 0..n {
+        if watch::is_over() {
+            return None;
+        }
         problem.delassus().for_each_in_column(column, |row, w| {
             if row < column {
                 rows.push(row);
@@ -178,7 +182,7 @@ fn upper_triangle(problem: &ContactProblem, unit: f64) -> CscMatrix<f64> {
         values.push((problem.entry(column, column) + super::compliance(problem, column)) / unit);
         starts.push(rows.len());
     }
-    CscMatrix::new(n, n, starts, rows, values)
+    Some(CscMatrix::new(n, n, starts, rows, values))
 }
 
 /// The polyhedral associated law is frictionless contact along the edges: f ≥ 0, r = G f, W_edge = GᵀWG.

@@ -8,9 +8,13 @@
 //! [`nalgebra`]'s LU. `moreau_exact::elimination`, over any ordered field, divides by the pivot where this multiplies by its inverse, as
 //! `nalgebra` does, and rounds otherwise.
 
+use super::watch;
 use nalgebra::{DMatrix, DVector};
 
-/// The x with A x = b; `None` if a pivot is exactly zero.
+/// Rows from which the elimination looks between its pivots whether the caller ends it; of fewer all are gone through in microseconds.
+const WATCHED: usize = 64;
+
+/// The x with A x = b; `None` if a pivot is exactly zero, or the caller ends it.
 ///
 /// # Panics
 /// If A is not square or b has another size.
@@ -22,6 +26,9 @@ pub(super) fn solve(matrix: &DMatrix<f64>, right_side: &DVector<f64>) -> Option<
     let rows = rows.as_mut_slice();
     let mut x = right_side.clone();
     for k in 0..size {
+        if size >= WATCHED && watch::is_over() {
+            return None;
+        }
         let pivot = largest_below(rows, size, k);
         if pivot != k {
             let (upper, lower) = rows.split_at_mut(pivot * size);
@@ -112,6 +119,15 @@ mod tests {
             }
         }
         assert!(solved > 100, "{solved} are regular");
+    }
+
+    #[test]
+    fn a_large_system_is_left_at_the_next_pivot_where_the_word_is_given() {
+        let right = DVector::from_element(WATCHED, 1.0);
+        for (asks, solved) in [(0, false), (WATCHED - 1, false), (WATCHED, true)] {
+            let (found, _) = watch::watched_until(asks, || solve(&DMatrix::identity(WATCHED, WATCHED), &right));
+            assert_eq!(found.is_some(), solved, "{asks}");
+        }
     }
 
     #[test]

@@ -9,9 +9,10 @@
 //! theirs. A row of which nearly nothing is left is refused, for nobody can tell whether it repeats them.
 
 use super::ContactSolver;
-use crate::problem::{ContactProblem, JointedProblem, Solution};
+use crate::problem::{ContactProblem, JointedProblem, MOST_ROWS, Solution};
 use crate::tolerance::joints::{AGREES, DEPENDENT, INDEPENDENT};
 use moreau_exact::error::Failure;
+use moreau_exact::number::significant;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -124,8 +125,8 @@ impl<'a> System<'a> {
         if self.velocity[row].abs() <= AGREES * self.terms[row] {
             return Ok(());
         }
-        let asked =
-            format!("depends on other bilateral rows and contradicts them by {:e} m/s: no impulses hold them all", self.velocity[row]);
+        let size = significant(self.velocity[row].abs());
+        let asked = format!("depends on other bilateral rows and contradicts them by {size} m/s: no impulses hold them all");
         Err(self.invalid(row, asked, "leave one of the constraints out, or make `free_velocity` and `shift` agree"))
     }
 
@@ -139,8 +140,12 @@ impl<'a> System<'a> {
     fn invalid(&self, row: usize, problem: String, cure: &str) -> Error {
         let starts = (0..self.problem.kinds().len()).map(|k| self.problem.rows_of(k));
         let k = starts.enumerate().find(|(_, rows)| rows.contains(&row)).map_or(0, |(k, _)| k);
-        let own = row - self.problem.rows_of(k).start;
-        Error::invalid(format!("kinds[{k}]"), format!("has a row, its {}th from 0, that {problem}", own), cure)
+        let rows = self.problem.rows_of(k);
+        let which = match ORDINALS.get(row - rows.start) {
+            Some(ordinal) if rows.len() > 1 => format!("has a row, the {ordinal} of its {},", rows.len()),
+            _ => "has a row".into(),
+        };
+        Error::invalid(format!("kinds[{k}]"), format!("{which} that {problem}"), cure)
     }
 
     /// Takes a row out of the system.
@@ -177,6 +182,9 @@ impl<'a> System<'a> {
         }
     }
 }
+
+/// Which row of a constraint, of as many as it may have.
+const ORDINALS: [&str; MOST_ROWS] = ["first", "second", "third", "fourth", "fifth", "sixth"];
 
 /// A refusal says what was asked: a solver that needs mass and Jacobian would otherwise ask for those that the file has.
 fn without_mechanism(error: Error) -> Error {

@@ -204,7 +204,16 @@ fn joints_that_contradict_each_other_or_nearly_depend_are_refused_by_name() {
     assert_eq!(twice(1.0, 0.5), Ok(1));
     assert_eq!(twice(0.9, 0.25), Ok(0));
     let contradiction = twice(1.0, 0.25).expect_err("0.25 m/s apart");
-    assert!(contradiction.contains("kinds[2]") && contradiction.contains("contradicts them by -2.5e-1 m/s"), "{contradiction}");
+    assert!(
+        contradiction.contains("kinds[2]")
+            && contradiction.contains("has a row that depends on other bilateral rows and contradicts them by 0.25 m/s"),
+        "{contradiction}"
+    );
+    // of a joint of several rows it is said which
+    let w = dmatrix![1.0, 0.0, 0.0; 0.0, 1.0, 1.0; 0.0, 1.0, 1.0];
+    let of_two = JointedProblem::new(1, vec![bilateral(1), bilateral(2)], w, dvector![0.5, 0.5, -1.5]).unwrap();
+    let second = WithoutJoints::new(&of_two).map(|_| ()).expect_err("2 m/s apart").to_string();
+    assert!(second.contains("`kinds[1]`: has a row, the second of its 2, that depends") && second.contains("by 2 m/s"), "{second}");
     let nearly = twice(1.0 - 1e-10, 0.5).expect_err("10 digits alike");
     assert!(nearly.contains("kinds[2]") && nearly.contains("nearly depends"), "{nearly}");
     // a row that moves others and has no W_ii of its own

@@ -50,6 +50,7 @@ mod colours;
 mod contact_systems;
 mod convex_subproblems;
 mod creep;
+mod definite;
 mod elimination;
 pub mod enumeration;
 mod few;

@@ -8,6 +8,7 @@
 //! No dense matrix is made of blocks.
 
 use super::block_elimination::{BlockElimination, Slopes};
+use super::{definite, watch};
 use crate::operator::BlockSparse;
 use crate::problem::ContactProblem;
 use crate::tolerance::solvers::SYMMETRY;
@@ -73,8 +74,8 @@ impl<'a> ShiftedOperator<'a> {
                 let mut shifted = matrix.clone();
                 (0..shifted.nrows()).for_each(|k| shifted[(k, k)] += shift);
                 if *symmetric {
-                    let factor = Cholesky::new(shifted);
-                    return factor.map(Shifted::Symmetric).ok_or_else(|| indefinite(solver));
+                    let factor = definite::factor(shifted);
+                    return factor.map(Shifted::Symmetric).ok_or_else(|| if watch::was_over() { left(solver) } else { indefinite(solver) });
                 }
                 let factor = shifted.lu();
                 if factor.is_invertible() { Ok(Shifted::Any(factor)) } else { Err(indefinite(solver)) }
@@ -84,7 +85,7 @@ impl<'a> ShiftedOperator<'a> {
                 if factor.factor(blocks, &self.slopes(shift), *symmetric) {
                     Ok(Shifted::Blocks(Box::new(factor)))
                 } else if factor.was_left() {
-                    Err(Error::limit(solver, "left a system unfactored for want of memory or time; allow more, or use pgs"))
+                    Err(left(solver))
                 } else {
                     Err(indefinite(solver))
                 }
@@ -111,6 +112,10 @@ impl<'a> ShiftedOperator<'a> {
         };
         (0..self.problem.contacts()).map(|k| Slopes { own: own(k), through: Matrix3::identity() * self.mass, inverse: None }).collect()
     }
+}
+
+fn left(solver: &str) -> Error {
+    Error::limit(solver, "left a system unfactored for want of memory or time; allow more, or use pgs")
 }
 
 fn indefinite(solver: &str) -> Error {

@@ -65,7 +65,7 @@ mod tests {
         assert_eq!((mechanism.most_candidates(), mechanism.count_within(&position, 0.3)), (Some(12_497_500), 4999));
         assert!(afford(&mechanism, &position, 0.3).is_ok());
         let message = afford(&mechanism, &position, f64::INFINITY).expect_err("all pairs").to_string();
-        assert!(message.contains("12497500 contact candidates") && message.contains("--max-memory"), "{message}");
+        assert!(message.contains("12497500 contact candidates") && message.contains("memory::set_limit"), "{message}");
     }
 
     #[test]

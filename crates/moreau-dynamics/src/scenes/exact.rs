@@ -43,6 +43,11 @@ impl ExactMotion {
         }
     }
 
+    /// Whether e is in it, so that a scene without restitution has another one.
+    pub fn has_restitution(&self) -> bool {
+        matches!(self.form, Form::Fall { .. } | Form::Impact { .. })
+    }
+
     /// Configuration and velocity, (x, z, angle) per body, at a time t ≥ 0.
     pub fn state(&self, time: f64) -> State {
         let mut turned = [0.0; 2];
@@ -256,6 +261,15 @@ mod tests {
         }
         assert!(exact("rolling-sphere", |scene| scene.bodies[0].position[2] = 0.2).is_none(), "it falls first");
         assert!(exact("rolling-sphere", |scene| scene.gravity[0] = 1.0).is_none(), "a slope");
+    }
+
+    #[test]
+    fn the_forms_with_e_are_those_that_change_with_it() {
+        for name in ["bouncing-ball", "two-ball-impact", "incline-slide", "rolling-disk"] {
+            let [elastic, plastic] = [1.0, 0.0].map(|e| exact(name, |scene| scene.material.restitution = e).expect("covered"));
+            let apart = (elastic.state(1.5).position - plastic.state(1.5).position).amax() > 0.0;
+            assert_eq!((elastic.has_restitution(), plastic.has_restitution()), (apart, apart), "{name}");
+        }
     }
 
     #[test]

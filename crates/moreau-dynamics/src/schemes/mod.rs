@@ -24,6 +24,7 @@ pub mod runge_kutta_flip;
 pub mod schatzman_paoli;
 mod scheme;
 pub mod stewart_trinkle;
+mod unmoved;
 pub mod variational;
 pub mod waist;
 
@@ -183,7 +184,7 @@ pub fn run_certified(
         let Some(made) = made.filter(|_| !watch::was_over()) else {
             return Err(Error::limit(name, format!("the motion was ended in step {k} of {steps}")));
         };
-        let mut made = made?;
+        let mut made = made.map_err(|error| unmoved::told(error, &name, mechanism, &state))?;
         let successor = current.successor(mechanism, &state, &made, h)?;
         remembering = successor.or(remembering);
         made.state.time = start + k as f64 * h;

@@ -91,9 +91,9 @@ impl ContactProblem {
 
     fn validate_compliance(&self) -> Result<()> {
         let Some(compliance) = &self.compliance else { return Ok(()) };
-        let needed = match (compliance.coordinates, self.law) {
-            (Coordinates::Contact, _) => self.rows(),
-            (Coordinates::Edge, Law::PolyhedralAssociated { directions }) => directions * self.contacts(),
+        let (needed, of) = match (compliance.coordinates, self.law) {
+            (Coordinates::Contact, _) => (self.rows(), "row"),
+            (Coordinates::Edge, Law::PolyhedralAssociated { directions }) => (directions * self.contacts(), "edge"),
             (Coordinates::Edge, law) => {
                 let problem = format!("uses edge coordinates with the law `{}`", law.name());
                 return Err(Error::invalid("compliance.coordinates", problem, "use `contact`, or the law `polyhedral-associated`"));
@@ -103,7 +103,7 @@ impl ContactProblem {
             return Err(Error::invalid(
                 "compliance.diagonal",
                 format!("has size {}", compliance.diagonal.len()),
-                format!("give size {needed}"),
+                format!("give size {needed}, one for each {of} of the {} contacts", self.contacts()),
             ));
         }
         not_negative("compliance.diagonal", compliance.diagonal.as_slice())

@@ -138,18 +138,26 @@ impl From<ConstraintKind> for KindFile {
 }
 
 impl ProblemFile {
-    /// Where W and u_free have as many rows as each other and `friction` and `dimension` have not, one of these two is wrong.
+    /// Three fields say how many rows there are: W or H, u_free, and `friction` times `dimension`. Where they do not agree, the one
+    /// that two others contradict is wrong; of `friction` and `dimension`, the latter where no number of contacts would do.
     ///
     /// # Errors
-    /// [`Error::Invalid`] names it.
+    /// [`Error::Invalid`] names it, with the size that it has and those of the others.
     pub(super) fn check_counts(&self) -> Result<()> {
         let (rows, contacts, dimension) = (self.free_velocity.len(), self.friction.len(), self.dimension);
-        let matrix = self.delassus.as_ref().or(self.jacobian.as_ref());
-        if rows == dimension * contacts || matrix.is_none_or(|matrix| matrix.shape[0] != rows) {
-            return Ok(());
+        let matrices = [("delassus", &self.delassus), ("jacobian", &self.jacobian)];
+        let matrix = matrices.into_iter().find_map(|(field, matrix)| Some((field, matrix.as_ref()?.shape[0])));
+        // what is missing is told where it is read
+        let Some((field, height)) = matrix.filter(|_| rows != dimension * contacts) else { return Ok(()) };
+        if height != rows {
+            let wanted = format!("give size {}, for {contacts} contacts with {dimension} rows each", dimension * contacts);
+            let others = format!("`friction` has {contacts} entries, `dimension` is {dimension} and `{field}` has {height} rows");
+            let either = if height == dimension * contacts { "" } else { ", and these do not fit each other either" };
+            return Err(Error::invalid("free_velocity", format!("has size {rows}"), format!("{wanted}: {others}{either}")));
         }
         if rows.is_multiple_of(dimension) {
-            let cure = format!("give {}, one per contact: `free_velocity` has {rows} rows, {dimension} per contact", rows / dimension);
+            let others = format!("`free_velocity` and `{field}` have {rows} rows, {dimension} per contact as `dimension` says");
+            let cure = format!("give {}, one per contact: {others}", rows / dimension);
             return Err(Error::invalid("friction", format!("has size {contacts}"), cure));
         }
         let problem = format!("is {dimension}, with `free_velocity` of {rows} rows and `friction` of {contacts} contacts");

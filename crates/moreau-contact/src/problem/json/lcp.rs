@@ -42,9 +42,16 @@ pub struct LcpFile {
 pub(super) fn read(text: &str) -> Result<ContactProblem> {
     let file: LcpFile = read_schema(text, LCP_SCHEMA)?;
     let size = file.vector.len();
-    if file.matrix.shape != [size, size] {
-        let problem = format!("has shape {}×{}", file.matrix.shape[0], file.matrix.shape[1]);
-        return Err(Error::invalid("matrix", problem, format!("use the shape {size}×{size}, which fits the vector")));
+    match file.matrix.shape {
+        [rows, columns] if rows != columns => {
+            let problem = format!("has shape {rows}×{columns}");
+            return Err(Error::invalid("matrix", problem, format!("give a square matrix, {size}×{size} for a `vector` of size {size}")));
+        }
+        [rows, _] if rows != size => {
+            let cure = format!("give size {rows}, as `matrix` is {rows}×{rows}, or a matrix of shape {size}×{size}");
+            return Err(Error::invalid("vector", format!("has size {size}"), cure));
+        }
+        _ => {}
     }
     memory::require("the matrix of this problem", memory::matrix(size, size).saturating_mul(2))?;
     let matrix = file.matrix.read("matrix")?;
@@ -76,7 +83,9 @@ mod tests {
             let message = ContactProblem::from_json(text).unwrap_err().to_string();
             assert!(message.contains(word), "{message}");
         };
-        refused(&TWO.replace("[-1,2]", "[-1]"), "`matrix`");
+        refused(&TWO.replace("[-1,2]", "[-1]"), "field `vector`: has size 1; give size 2, as `matrix` is 2×2");
+        refused(&TWO.replace("[-1,2]", "[-1,2,3]"), "field `vector`: has size 3; give size 2");
+        refused(&TWO.replace("\"shape\":[2,2]", "\"shape\":[2,3]"), "field `matrix`: has shape 2×3; give a square matrix, 2×2");
         refused(&TWO.replace("[0,1]]", "[0]]"), "matrix.rows[1]");
         refused(&TWO.replace("{\"shape\":[2,2],\"rows\":[[2,1],[0,1]]}", "[[2,1],[0,1]]"), "give a matrix as {\"shape\"");
         refused(&TWO.replace("{\"shape\":[2,2],\"rows\":[[2,1],[0,1]]}", "null"), "null instead of a matrix");

@@ -175,6 +175,12 @@ fn every_mistake_is_named() {
     refused(&BLOCK.replace("\"dimension\":2", "\"dimension\":3"), &["dimension", "is 3", "2 rows"]);
     refused(&BLOCK.replace("[0.5]", "[0.5,0.5]"), &["field `friction`: has size 2; give 1"]);
     refused(&BLOCK.replace("[0.5]", "[]"), &["field `friction`: has size 0; give 1"]);
+    let others = "give size 2, for 1 contacts with 2 rows each: `friction` has 1 entries, `dimension` is 2 and `delassus` has 2 rows";
+    for (velocity, size) in [("[-0.1]", 1), ("[-0.1,1,2]", 3), ("[]", 0)] {
+        let short = BLOCK.replace("[-0.1,0.30000000000000004]", velocity);
+        refused(&short, &[&format!("field `free_velocity`: has size {size}; {others}")]);
+        refused(&short.replace("[0.5]", "[0.5,0.5,0.5]"), &["`free_velocity`", "`friction` has 3 entries", "do not fit each other either"]);
+    }
     refused(&BLOCK.replace("contact-problem/1", "lcp"), &["\"lcp\"", "\"contact-problem/1\" or \"lcp/1\""]);
     refused(&BLOCK.replace("\"name\"", "\"nome\""), &["nome"]);
     refused(&BLOCK.replace("[0.25,3]", "[0.25]"), &["delassus.rows[1]", "1 entries"]);
