@@ -5,10 +5,10 @@
 //!     s_n = max |r_n|, ρ_n |(W r)_n|  over the contacts of the same two bodies, and ρ_n |q_n| of its own         [N·s]
 //!     s_r = max |r_n|  over them, and ρ_n |q_n| of its own                                                       [N·s]
 //!     s_t = max ‖r‖, ρ_t ‖(W r)_t‖  over them, and ρ_t ‖q_t‖ of its own                                [N·s]
-//!     floor = γ (Σ_j |W_kj||r_j| + |u_free| + |shift| + R_k|r_k|) ,   γ = mε/(1 − mε) ,   m = 2 rows + 8         [m/s]
+//!     floor = γ (Σ_j |W_kj||r_j| + |u_free| + |shift| + R_k|r_k|) ,   γ = mε/(1 − mε) ,   m = 2 terms + 8        [m/s]
 //! ```
-//! Where W acts through bodies and is not formed, the sum is |Yᵀ|D⁻¹|Y||r|, an upper bound of |W||r|, because that is where y is rounded,
-//! and m = 2 terms + 8 with the products that are summed for a row.
+//! The terms of a contact are the rows of all that W joins with it, itself among them, however W is stored: zeros of W round nothing. Where
+//! W acts through bodies and is not formed, the sum is |Yᵀ|D⁻¹|Y||r|, an upper bound of |W||r|, because that is where y is rounded.
 //!
 //! with q = u_free + shift and (W r) with R r in it, net: what cancels between the contacts of a body is no excuse for another body. Normal
 //! and tangential parts stay apart, so that fast sliding does not widen what a normal impulse is held against: for the associated laws q_n
@@ -38,7 +38,7 @@ use crate::cones::polyhedral::direction;
 use crate::cones::second_order::{length, tangential_norm};
 use crate::memory::spare;
 use crate::problem::{ContactProblem, Law, Weights};
-use crate::tolerance::certificate::{HIDDEN, JAMMED, PROJECTED, gamma};
+use crate::tolerance::certificate::{HIDDEN, JAMMED, PROJECTED, row_rounding};
 
 /// Entries of the largest block of a contact, of six rows.
 const MOST_ENTRIES: usize = 36;
@@ -100,6 +100,8 @@ struct Largest {
     fastest: f64,
     /// Normal impulse \[N·s\].
     impulse: f64,
+    /// How many contacts it has.
+    contacts: usize,
 }
 
 impl Largest {
@@ -176,12 +178,13 @@ impl Scales {
         self.floors.extend(data.zip(impulse).enumerate().map(own));
         let operator = problem.delassus().of_contacts();
         operator.add_magnitudes(impulse, &mut self.floors);
-        let gamma = gamma(2 * operator.terms() + 8);
-        self.floors.iter_mut().for_each(|floor| *floor *= gamma);
+        let gammas = problem.rounding();
+        self.floors.iter_mut().zip(gammas).for_each(|(floor, gamma)| *floor *= gamma);
         self.unrounded.clear();
         let (free, shift) = (problem.free_velocity().as_slice(), problem.shift().as_slice());
         if shift.iter().any(|shift| *shift != 0.0) {
-            self.unrounded.extend(free.iter().zip(shift).map(|(free, shift)| gamma * (free.abs() + shift.abs() - (free + shift).abs())));
+            let lost = |((free, shift), gamma): ((&f64, &f64), &f64)| gamma * (free.abs() + shift.abs() - (free + shift).abs());
+            self.unrounded.extend(free.iter().zip(shift).zip(gammas).map(lost));
         }
     }
 
@@ -214,6 +217,7 @@ impl Scales {
             let pushed = [own.max(normal * moved(0).abs()), r[0].abs(), length(tangential_norm(r), r[0]).max(tangential * net)];
             let largest = &mut self.largest[known.island];
             largest.impulse = at_least(largest.impulse, r[0].abs());
+            largest.contacts += 1;
             for (row, q) in q.iter().enumerate() {
                 largest.given = at_least(largest.given, q.abs());
                 largest.fastest = at_least(at_least(largest.fastest, q.abs()), moved(row).abs());
@@ -287,8 +291,8 @@ impl Scales {
     /// The scale of r_n itself, with its rounding \[N·s\], where an impulse does not move its own contact, so that no velocity tells how
     /// large it should be: the normal impulses there are between the two bodies.
     fn of_impulse(&self, known: &Known) -> [f64; 2] {
-        let largest = self.largest[known.island].impulse;
-        [self.shared[known.group][1], gamma(2 * self.shared.len() + 8) * largest]
+        let Largest { impulse, contacts, .. } = self.largest[known.island];
+        [self.shared[known.group][1], row_rounding(contacts) * impulse]
     }
 
     /// s_n, s_r and s_t of contact k \[N·s\].
