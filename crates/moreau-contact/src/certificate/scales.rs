@@ -21,6 +21,7 @@
 //! move is no V either: where W is not positive semidefinite they may grow without end, each the excuse of the other. Nor is a
 //! floor more than 10⁻⁵ of the largest velocity in q: where rounding hides that, nothing is certain, and the rounding itself counts
 //! as a residual of y, which may be zero only because q was lost in it; not what u_free and shift lose in each other, for q is one sum.
+//! There y is computed with twice the digits, of which rounding hides ε|y| and γ² of the terms: its true value is what is judged.
 //!
 //! An impulse that does not move its own contact, W_nn = 0 as in many complementarity problems, says nothing about the size of that
 //! contact's velocity: |r_n| is left out of its s_n, and q_n out of its s_r. Growing along a ray such an impulse would excuse any velocity.
@@ -39,6 +40,8 @@ use crate::cones::second_order::{length, tangential_norm};
 use crate::memory::spare;
 use crate::problem::{ContactProblem, Law, Weights};
 use crate::tolerance::certificate::{HIDDEN, JAMMED, PROJECTED, row_rounding};
+use moreau_exact::doubled::DoubledResiduals;
+use moreau_exact::tolerance::EPSILON;
 
 /// Entries of the largest block of a contact, of six rows.
 const MOST_ENTRIES: usize = 36;
@@ -49,6 +52,8 @@ pub(super) struct Scales {
     contacts: Vec<Known>,
     /// Floor per row \[m/s\].
     pub floors: Vec<f64>,
+    /// What a stored u may be off by where the floor is that of doubled precision: what rounding may hide \[m/s\]. Empty where none is.
+    stored: Vec<f64>,
     /// γ (|u_free| + |shift| − |q|), the part of it that q = u_free + shift, one sum, does not round; none where shift is zero \[m/s\].
     unrounded: Vec<f64>,
     /// What a group shares of s_n, s_r, s_t, at its first contact \[N·s\].
@@ -176,8 +181,8 @@ impl Scales {
         let own = |(row, ((free, shift), r)): (usize, ((&f64, &f64), &f64))| free.abs() + shift.abs() + soft(row) * r.abs();
         self.floors.clear();
         self.floors.extend(data.zip(impulse).enumerate().map(own));
-        let operator = problem.delassus().of_contacts();
-        operator.add_magnitudes(impulse, &mut self.floors);
+        problem.delassus().of_contacts().add_magnitudes(impulse, &mut self.floors);
+        self.stored.clear();
         let gammas = problem.rounding();
         self.floors.iter_mut().zip(gammas).for_each(|(floor, gamma)| *floor *= gamma);
         self.unrounded.clear();
@@ -264,6 +269,43 @@ impl Scales {
         let lost = |row: usize| self.unrounded.get(contact * ROWS + row).copied().unwrap_or(0.0);
         let rounded: [f64; ROWS] = std::array::from_fn(|row| floors[row] - lost(row));
         rounded[0].max(tangential_norm(&rounded))
+    }
+
+    /// Puts y and floors of doubled precision to the rows of the contacts of which rounding hides too much.
+    ///
+    /// ```text
+    ///     floor = ε|y| + γ² (Σ_j |W_kj||r_j| + |u_free| + |shift| + R_k|r_k|)                                        [m/s]
+    /// ```
+    #[cold]
+    pub fn sharpen(&mut self, problem: &ContactProblem, impulse: &[f64], law_velocity: &mut [f64]) {
+        let (gammas, softness) = (problem.rounding(), problem.row_compliances());
+        let mut sums = DoubledResiduals::new(problem.free_velocity().as_slice());
+        for (row, (shift, r)) in problem.shift().iter().zip(impulse).enumerate() {
+            sums.subtract_unit(row, &-shift);
+            softness.into_iter().for_each(|softness| sums.subtract_from(row, &softness[row..=row], &-r));
+        }
+        let Some(off) = problem.delassus().add_doubled(impulse, gammas, &mut sums) else { return };
+        let (sharp, rows) = (sums.values(), problem.rows_per_contact());
+        self.stored.extend_from_slice(&self.floors);
+        for k in 0..problem.contacts() {
+            let own = k * rows..(k + 1) * rows;
+            let lost = |row: usize| self.unrounded.get(row).copied().unwrap_or(0.0);
+            let rounded: Vec<f64> = own.clone().map(|row| self.floors[row] - lost(row)).collect();
+            if rounded[0].max(tangential_norm(&rounded)) <= self.hidden(k) {
+                continue;
+            }
+            for row in own {
+                law_velocity[row] = sharp[row];
+                self.stored[row] = at_most(self.hidden(k), self.floors[row]);
+                self.floors[row] = EPSILON * sharp[row].abs() + gammas[row] * self.floors[row] + off[row];
+                self.unrounded.get_mut(row).into_iter().for_each(|lost| *lost = 0.0);
+            }
+        }
+    }
+
+    /// What a stored u may be off by, row by row \[m/s\].
+    pub fn of_stored(&self) -> &[f64] {
+        if self.stored.is_empty() { &self.floors } else { &self.stored }
     }
 
     /// What rounding may hide at a contact \[m/s\].
