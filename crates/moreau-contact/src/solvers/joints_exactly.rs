@@ -106,3 +106,7 @@ fn whole(problem: &JointedProblem) -> Option<DMatrix<Rational>> {
     }
     Some(w)
 }
+
+#[cfg(test)]
+#[path = "joints_exactly_tests.rs"]
+mod tests;
