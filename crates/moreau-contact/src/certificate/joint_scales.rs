@@ -12,7 +12,7 @@ use super::part::Part;
 use super::semidefinite::indefiniteness;
 use crate::operator::Operator;
 use crate::problem::{ConstraintKind, JointedProblem};
-use crate::tolerance::certificate::{HIDDEN, JAMMED, gamma};
+use crate::tolerance::certificate::{HIDDEN, JAMMED, row_rounding};
 use nalgebra::DVector;
 use std::cell::OnceCell;
 
@@ -37,6 +37,12 @@ pub(super) struct Joints<'a> {
     fastest: f64,
 }
 
+/// γ of every row of y: the entries of W that are zero round nothing.
+pub(super) fn gammas(problem: &JointedProblem) -> DVector<f64> {
+    let terms = |row: usize| problem.delassus().row(row).iter().filter(|w| **w != 0.0).count();
+    DVector::from_fn(problem.rows(), |row, _| row_rounding(terms(row)))
+}
+
 impl<'a> Joints<'a> {
     /// At an answer.
     pub fn new(problem: &'a JointedProblem, impulse: &'a DVector<f64>) -> Self {
@@ -44,10 +50,10 @@ impl<'a> Joints<'a> {
         let (pushing, mut pushes) = (problem.pushing(), DVector::zeros(problem.rows()));
         pushing.iter().flat_map(|k| problem.rows_of(*k)).for_each(|row| pushes[row] = impulse[row]);
         let (pushed, fastest) = (problem.delassus() * pushes, data.amax());
-        let gamma = gamma(2 * problem.rows() + 8);
+        let gammas = gammas(problem);
         let given = problem.free_velocity().abs() + problem.shifts().abs();
         let moved = problem.delassus().abs() * impulse.abs() + problem.softnesses().component_mul(&impulse.abs());
-        let (floors, unrounded) = ((moved + &given) * gamma, (given - data.abs()) * gamma);
+        let (floors, unrounded) = ((moved + &given).component_mul(&gammas), (given - data.abs()).component_mul(&gammas));
         Joints { problem, impulse, pushing, floors, unrounded, strangeness: OnceCell::new(), data, pushed, fastest }
     }
 

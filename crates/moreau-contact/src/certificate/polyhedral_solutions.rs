@@ -75,7 +75,12 @@ pub(crate) fn friction_lcp(problem: &ContactProblem, directions: usize) -> Resul
 }
 
 /// The same of this W and these velocities without impulses in place of the problem's own.
-pub(crate) fn friction_lcp_of(problem: &ContactProblem, w: DMatrix<Rational>, given: &DVector<Rational>, directions: usize) -> Lcp<Rational> {
+pub(crate) fn friction_lcp_of(
+    problem: &ContactProblem,
+    w: DMatrix<Rational>,
+    given: &DVector<Rational>,
+    directions: usize,
+) -> Lcp<Rational> {
     Data::of(problem, w, given, directions).lcp
 }
 

@@ -134,7 +134,8 @@ mod tests {
             let off = operator.add_doubled(&impulse, &[gamma; 3], &mut sums).unwrap();
             for (row, found) in sums.values().into_iter().enumerate() {
                 let expected: f64 = Scalar::to_f64(&(whole[row].clone() + exact(given[row])));
-                let terms: Rational = (0..3).fold(Rational::ZERO, |sum, j| sum + Scalar::magnitude(&(w[(row, j)].clone() * exact(impulse[j]))));
+                let terms: Rational =
+                    (0..3).fold(Rational::ZERO, |sum, j| sum + Scalar::magnitude(&(w[(row, j)].clone() * exact(impulse[j]))));
                 let bound = f64::EPSILON * expected.abs() + gamma * gamma * Scalar::to_f64(&terms) + off[row];
                 assert!((found - expected).abs() <= bound, "{row}: {found} {expected} {bound}");
                 assert!(bound < 1e-3 * f64::EPSILON * Scalar::to_f64(&terms), "{row}: {bound} tells nothing");
