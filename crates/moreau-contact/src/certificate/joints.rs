@@ -67,11 +67,9 @@ pub fn jointed_residuals(problem: &JointedProblem, solution: &Solution) -> Resul
     let found = problem.velocity(impulse);
     let mut bilateral: Option<Worst> = None;
     for k in problem.bilateral() {
-        let rows = problem.rows_of(k);
-        let norm = |vector: &DVector<f64>| vector.rows(rows.start, rows.len()).norm();
-        let part = joints.part(k, norm(&law_velocity));
+        let part = joints.velocity(k, &law_velocity);
         bilateral.get_or_insert(Worst { part, contact: k, largest: part.value }).take(k, part);
-        contacts.judged.velocity.take(k, joints.part(k, norm(&(stored - &found))));
+        contacts.judged.velocity.take(k, joints.stored(k, [stored, &found]));
     }
     contacts.velocity = contacts.judged.velocity.largest;
     Ok(JointedResiduals { contacts, bilateral })

@@ -126,10 +126,9 @@ impl Judge {
         self.set_law_velocity(problem, impulse);
         self.is_doubtful = false;
         let mut judged = self.judge_again(problem, solution, unheld.joints, &mut |_, _, _| {})?;
-        // what joints move is given rounded
-        if self.is_doubtful && unheld.joints.is_none() {
-            self.scales.sharpen(problem, impulse, &mut self.law_velocity);
-            judged = self.judge_again(problem, solution, None, &mut |_, _, _| {})?;
+        if self.is_doubtful {
+            self.scales.sharpen(problem, impulse, unheld.joints, &mut self.law_velocity);
+            judged = self.judge_again(problem, solution, unheld.joints, &mut |_, _, _| {})?;
         }
         self.each_stored(problem, solution, |contact, at, value, floor| {
             if !judged.velocity.ignores(value, floor) {

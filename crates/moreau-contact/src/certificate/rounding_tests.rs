@@ -1,10 +1,11 @@
 //! What rounding hides of y: neither contacts that are not met nor the way W is stored change it, and where it hides too much y is computed
 //! with twice the digits. Answers are decided in fractions.
 
+use super::super::joints::jointed_residuals;
 use super::super::residuals;
 use super::super::scales::Scales;
 use crate::operator::{BlockRows, MatrixFree, Operator};
-use crate::problem::{ContactProblem, Law, Solution};
+use crate::problem::{ConstraintKind, ContactProblem, JointedProblem, Law, Solution};
 use crate::tolerance::certificate::CERTIFY;
 use moreau_exact::scalar::{Rational, Scalar, exact};
 use nalgebra::{DMatrix, DVector};
@@ -161,4 +162,38 @@ fn a_stored_velocity_is_no_righter_than_rounding_may_hide() {
         };
         assert!(accepts(0.0) && accepts(0.9e-5) && !accepts(1.2e-5) && !accepts(-1e-3));
     }
+}
+
+#[test]
+fn beside_joints_answers_are_accepted_or_refused_by_what_they_are_too() {
+    let (mut right, mut wrong) = (0, 0);
+    let kinds = [ConstraintKind::Contact, ConstraintKind::Bilateral { rows: 1 }, ConstraintKind::Limit];
+    // the lower body stands on a contact or hangs on a rod, and a rod or a limit holds the upper one on it
+    for (power, [lower, upper]) in (20..=45).flat_map(|power| [[0, 1], [1, 2], [2, 1], [1, 1]].map(|pair| (power, pair))) {
+        let stack = Heavy::new(1, 1.0, 2f64.powi(power), 1.0);
+        let [dense, ..] = stacks(1, &stack.masses, 0);
+        let given = DVector::from_row_slice(&stack.given);
+        let problem = JointedProblem::new(1, vec![kinds[lower], kinds[upper]], dense.dense().clone(), given).unwrap();
+        let problem = problem.law(Law::Frictionless, vec![0.0; 2]).unwrap();
+        for part in [0.0, 1e-6, 3e-5, 1e-3, 1.0, -1e-6, -3e-5, -1e-3] {
+            let load = stack.loads[0] + part * stack.fastest();
+            let y = moved(&stack.masses, &[load, stack.loads[1]]);
+            let velocity = DVector::from_fn(2, |i, _| Scalar::to_f64(&(y[i].clone() + exact(stack.given[i]))));
+            let accepts = |velocity: &DVector<f64>| {
+                let solution = Solution::new("by hand", DVector::from_row_slice(&[load, stack.loads[1]]), velocity.clone(), 0);
+                jointed_residuals(&problem, &solution).unwrap().is_solution(CERTIFY)
+            };
+            let off = stack.off(load) / stack.fastest();
+            if off < 0.4e-5 {
+                // a joint whose own impulse moves it is held against V, not 10³ V
+                assert!(off > 0.4e-8 || accepts(&velocity), "2^{power} {lower} {upper}: {off:e}");
+                assert!(!accepts(&velocity.add_scalar(3e-5 * stack.fastest())), "2^{power} {lower} {upper}: a stored velocity");
+                right += usize::from(off < 0.4e-8);
+            } else if off > 2.1e-5 {
+                assert!(!accepts(&velocity), "2^{power} {lower} {upper}: {off:e}");
+                wrong += 1;
+            }
+        }
+    }
+    assert!(right > 100 && wrong > 300, "{right} {wrong}");
 }

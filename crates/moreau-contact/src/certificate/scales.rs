@@ -277,15 +277,10 @@ impl Scales {
     ///     floor = ε|y| + γ² (Σ_j |W_kj||r_j| + |u_free| + |shift| + R_k|r_k|)                                        [m/s]
     /// ```
     #[cold]
-    pub fn sharpen(&mut self, problem: &ContactProblem, impulse: &[f64], law_velocity: &mut [f64]) {
-        let (gammas, softness) = (problem.rounding(), problem.row_compliances());
-        let mut sums = DoubledResiduals::new(problem.free_velocity().as_slice());
-        for (row, (shift, r)) in problem.shift().iter().zip(impulse).enumerate() {
-            sums.subtract_unit(row, &-shift);
-            softness.into_iter().for_each(|softness| sums.subtract_from(row, &softness[row..=row], &-r));
-        }
-        let Some(off) = problem.delassus().add_doubled(impulse, gammas, &mut sums) else { return };
-        let (sharp, rows) = (sums.values(), problem.rows_per_contact());
+    pub fn sharpen(&mut self, problem: &ContactProblem, impulse: &[f64], joints: Option<&Joints>, law_velocity: &mut [f64]) {
+        let of_joints = |joints: &Joints| Some(joints.sharp_of_contacts());
+        let Some([sharp, floors]) = joints.map_or_else(|| self.sharp(problem, impulse), of_joints) else { return };
+        let rows = problem.rows_per_contact();
         self.stored.extend_from_slice(&self.floors);
         for k in 0..problem.contacts() {
             let own = k * rows..(k + 1) * rows;
@@ -297,10 +292,25 @@ impl Scales {
             for row in own {
                 law_velocity[row] = sharp[row];
                 self.stored[row] = at_most(self.hidden(k), self.floors[row]);
-                self.floors[row] = EPSILON * sharp[row].abs() + gammas[row] * self.floors[row] + off[row];
+                self.floors[row] = floors[row];
                 self.unrounded.get_mut(row).into_iter().for_each(|lost| *lost = 0.0);
             }
         }
+    }
+
+    /// y of doubled precision and its rounding; `None` where that is not known.
+    fn sharp(&self, problem: &ContactProblem, impulse: &[f64]) -> Option<[Vec<f64>; 2]> {
+        let (gammas, softness) = (problem.rounding(), problem.row_compliances());
+        let mut sums = DoubledResiduals::new(problem.free_velocity().as_slice());
+        for (row, (shift, r)) in problem.shift().iter().zip(impulse).enumerate() {
+            sums.subtract_unit(row, &-shift);
+            softness.into_iter().for_each(|softness| sums.subtract_from(row, &softness[row..=row], &-r));
+        }
+        let off = problem.delassus().add_doubled(impulse, gammas, &mut sums)?;
+        let sharp = sums.values();
+        let floor = |row: usize| EPSILON * sharp[row].abs() + gammas[row] * self.floors[row] + off[row];
+        let floors = (0..sharp.len()).map(floor).collect();
+        Some([sharp, floors])
     }
 
     /// What a stored u may be off by, row by row \[m/s\].

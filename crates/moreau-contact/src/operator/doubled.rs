@@ -38,7 +38,7 @@ impl Operator {
     }
 }
 
-fn add_by_bodies(free: &MatrixFree, impulse: &[f64], gamma: &[f64], sums: &mut DoubledResiduals<f64>) -> Option<Vec<f64>> {
+fn add_by_bodies(free: &MatrixFree, impulse: &[f64], gamma_of: &[f64], sums: &mut DoubledResiduals<f64>) -> Option<Vec<f64>> {
     let (jacobian, d) = (free.jacobian(), free.rows_per_contact());
     let size = jacobian.velocity_count();
     let (mut pushed, mut terms) = (DoubledResiduals::new(&vec![0.0; size]), vec![0.0; size]);
@@ -52,7 +52,10 @@ fn add_by_bodies(free: &MatrixFree, impulse: &[f64], gamma: &[f64], sums: &mut D
         }
     }
     let (high, low) = pushed.parts();
-    let part = gamma.iter().copied().fold(0.0, f64::max).powi(2);
+    // a row sums as many products as the parts of its velocities are
+    let velocities = |k: usize| jacobian.bodies(k).iter().map(|body| jacobian.velocities(*body as usize).len()).sum::<usize>();
+    let most = (0..jacobian.contacts()).map(velocities).max().unwrap_or(0);
+    let part = gamma_of.iter().copied().fold(gamma(PARTS * most + 8), f64::max).powi(2);
     let (mut velocity, mut doubt) = (vec![[0.0; PARTS]; size], vec![0.0; size]);
     for body in 0..jacobian.body_count() {
         let range = jacobian.velocities(body);
