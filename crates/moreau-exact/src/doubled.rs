@@ -44,9 +44,17 @@ impl<T: Scalar> DoubledResiduals<T> {
     /// If the column has fewer entries than there are rows.
     pub fn subtract(&mut self, column: &[T], x: &T) {
         assert!(column.len() >= self.sums.len(), "one entry per row");
+        self.subtract_from(0, column, x);
+    }
+
+    /// Takes a part of a column of A times its x from the rows from the first on that it has entries of.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    pub fn subtract_from(&mut self, first: usize, column: &[T], x: &T) {
         let minus = -x.clone();
         let parts = split(minus.clone());
-        for ((sum, left), a) in self.sums.iter_mut().zip(&mut self.left).zip(column) {
+        for ((sum, left), a) in self.sums[first..].iter_mut().zip(&mut self.left[first..]).zip(column) {
             subtract_one(sum, left, a, &minus, &parts);
         }
     }
@@ -60,6 +68,11 @@ impl<T: Scalar> DoubledResiduals<T> {
     /// The residuals.
     pub fn values(self) -> Vec<T> {
         self.sums.into_iter().zip(self.left).map(|(sum, left)| sum + left).collect()
+    }
+
+    /// The residuals with twice the digits: rounded, and what rounding left of them.
+    pub fn parts(self) -> (Vec<T>, Vec<T>) {
+        self.sums.into_iter().zip(self.left).map(|(sum, left)| add(sum, left)).unzip()
     }
 }
 
@@ -133,5 +146,13 @@ mod tests {
             let row = [columns[0][i], columns[1][i], unit];
             assert_eq!(found[i], residual(b, row.iter().zip(&[x[0], x[1], 0.3])), "{i}");
         }
+    }
+
+    #[test]
+    fn a_part_of_a_column_is_taken_from_its_rows_and_both_halves_are_kept() {
+        let mut sums = DoubledResiduals::new(&[1.0, 1.0, 1.0]);
+        sums.subtract_from(1, &[1e-20], &1.0);
+        sums.subtract_from(2, &[3.0], &-1e-20);
+        assert_eq!(sums.parts(), (vec![1.0; 3], vec![0.0, -1e-20, 3e-20]));
     }
 }

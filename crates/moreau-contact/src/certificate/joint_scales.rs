@@ -12,7 +12,9 @@ use super::part::Part;
 use super::semidefinite::indefiniteness;
 use crate::operator::Operator;
 use crate::problem::{ConstraintKind, JointedProblem};
-use crate::tolerance::certificate::{HIDDEN, JAMMED, gamma};
+use crate::tolerance::certificate::{HIDDEN, JAMMED, row_rounding};
+use moreau_exact::doubled::DoubledResiduals;
+use moreau_exact::tolerance::EPSILON;
 use nalgebra::DVector;
 use std::cell::OnceCell;
 
@@ -27,14 +29,24 @@ pub(super) struct Joints<'a> {
     floors: DVector<f64>,
     /// The part of it that q = u_free + shift, one sum, does not round \[m/s\].
     unrounded: DVector<f64>,
+    /// γ of every row.
+    gammas: DVector<f64>,
     /// How far the W of all rows is from one of bodies; found when it is asked.
     strangeness: OnceCell<f64>,
+    /// y with twice the digits, and its rounding; computed when it is asked.
+    sharp: OnceCell<[DVector<f64>; 2]>,
     /// q.
     data: DVector<f64>,
     /// W r_u.
     pushed: DVector<f64>,
     /// V.
     fastest: f64,
+}
+
+/// γ of every row of y: the entries of W that are zero round nothing.
+pub(super) fn gammas(problem: &JointedProblem) -> DVector<f64> {
+    let terms = |row: usize| problem.delassus().row(row).iter().filter(|w| **w != 0.0).count();
+    DVector::from_fn(problem.rows(), |row, _| row_rounding(terms(row)))
 }
 
 impl<'a> Joints<'a> {
@@ -44,11 +56,12 @@ impl<'a> Joints<'a> {
         let (pushing, mut pushes) = (problem.pushing(), DVector::zeros(problem.rows()));
         pushing.iter().flat_map(|k| problem.rows_of(*k)).for_each(|row| pushes[row] = impulse[row]);
         let (pushed, fastest) = (problem.delassus() * pushes, data.amax());
-        let gamma = gamma(2 * problem.rows() + 8);
+        let gammas = gammas(problem);
         let given = problem.free_velocity().abs() + problem.shifts().abs();
         let moved = problem.delassus().abs() * impulse.abs() + problem.softnesses().component_mul(&impulse.abs());
-        let (floors, unrounded) = ((moved + &given) * gamma, (given - data.abs()) * gamma);
-        Joints { problem, impulse, pushing, floors, unrounded, strangeness: OnceCell::new(), data, pushed, fastest }
+        let (floors, unrounded) = ((moved + &given).component_mul(&gammas), (given - data.abs()).component_mul(&gammas));
+        let (strangeness, sharp) = (OnceCell::new(), OnceCell::new());
+        Joints { problem, impulse, pushing, floors, unrounded, gammas, strangeness, sharp, data, pushed, fastest }
     }
 
     /// The joint that an impulse of contact `i` of the [`pushing`](JointedProblem::pushing) ones moves most, by what it is judged by.
@@ -83,13 +96,68 @@ impl<'a> Joints<'a> {
         of(&self.data).max(of(&self.pushed).min(JAMMED * self.fastest)).max(own.min(self.fastest))
     }
 
-    /// A velocity of joint k with its scale and its floor; a floor that hides more of V than it may is a residual itself.
-    pub fn part(&self, k: usize, value: f64) -> Part {
+    /// y of all rows with twice the digits, and its rounding ε|y| + γ² of its terms \[m/s\].
+    fn sharp(&self) -> &[DVector<f64>; 2] {
+        self.sharp.get_or_init(|| {
+            let (problem, softnesses) = (self.problem, self.problem.softnesses().as_slice());
+            let mut sums = DoubledResiduals::new(problem.free_velocity().as_slice());
+            for (row, (shift, r)) in problem.shifts().iter().zip(self.impulse).enumerate() {
+                sums.subtract_unit(row, &-shift);
+                sums.subtract_from(row, &softnesses[row..=row], &-r);
+                sums.subtract(problem.delassus().column(row).as_slice(), &-r);
+            }
+            let y = DVector::from_vec(sums.values());
+            let floors = y.abs() * EPSILON + self.floors.component_mul(&self.gammas);
+            [y, floors]
+        })
+    }
+
+    /// The same of contacts and limits.
+    pub fn sharp_of_contacts(&self) -> [Vec<f64>; 2] {
+        self.sharp().each_ref().map(|all| self.problem.spread(all).as_slice().to_vec())
+    }
+
+    /// What rounding may hide \[m/s\].
+    fn hidden(&self) -> f64 {
+        if self.fastest > 0.0 { self.fastest * HIDDEN } else { f64::INFINITY }
+    }
+
+    /// Whether rounding hides more than it may of y at joint k.
+    fn is_doubtful(&self, k: usize) -> bool {
         let rows = self.problem.rows_of(k);
         let [floors, unrounded] = [&self.floors, &self.unrounded].map(|all| all.rows(rows.start, rows.len()));
-        let (scale, floor, rounding) = (self.scale(k), floors.norm(), (floors - unrounded).norm());
-        let most = if self.fastest > 0.0 { self.fastest * HIDDEN } else { f64::INFINITY };
-        let value = if rounding <= most { value } else { moreau_exact::number::larger(value, rounding) };
-        Part { value, scale, floor: floor.min(most) }
+        // what is no number is doubtful, too
+        !((floors - unrounded).norm() <= self.hidden())
+    }
+
+    /// The velocity of joint k, of this y or with twice the digits.
+    pub fn velocity(&self, k: usize, law_velocity: &DVector<f64>) -> Part {
+        let y = if self.is_doubtful(k) { &self.sharp()[0] } else { law_velocity };
+        self.part(k, self.norm(k, y))
+    }
+
+    /// How far the stored velocity u of joint k is from what its impulses make it, `found` or with twice the digits; where those are needed
+    /// it may be off by what rounding may hide.
+    pub fn stored(&self, k: usize, [stored, found]: [&DVector<f64>; 2]) -> Part {
+        if !self.is_doubtful(k) {
+            return self.part(k, self.norm(k, &(stored - found)));
+        }
+        let sharp = &self.sharp()[0] - self.problem.shifts() - self.problem.softnesses().component_mul(self.impulse);
+        Part { value: self.norm(k, &(stored - sharp)), scale: self.scale(k), floor: self.hidden() }
+    }
+
+    fn norm(&self, k: usize, all: &DVector<f64>) -> f64 {
+        let rows = self.problem.rows_of(k);
+        all.rows(rows.start, rows.len()).norm()
+    }
+
+    /// A velocity of joint k with its scale and its floor; a floor that even with twice the digits hides more of V than it may is a residual
+    /// itself.
+    fn part(&self, k: usize, value: f64) -> Part {
+        let is_doubtful = self.is_doubtful(k);
+        let floor = self.norm(k, if is_doubtful { &self.sharp()[1] } else { &self.floors });
+        let hides = is_doubtful && !(floor <= self.hidden());
+        let value = if hides { moreau_exact::number::larger(value, floor) } else { value };
+        Part { value, scale: self.scale(k), floor: floor.min(self.hidden()) }
     }
 }

@@ -15,12 +15,11 @@
 //!
 //! Where the W of all rows is not shown to be one of bodies, an impulse of a contact that counts as none may move no joint either.
 
-use super::joint_scales::Joints;
+use super::joint_scales::{Joints, gammas};
 use super::judged::{Judged, Worst};
 use super::residuals::{Residuals, of_held};
 use super::scales::Unheld;
 use crate::problem::{JointedProblem, Solution};
-use crate::tolerance::certificate::gamma;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
@@ -68,11 +67,9 @@ pub fn jointed_residuals(problem: &JointedProblem, solution: &Solution) -> Resul
     let found = problem.velocity(impulse);
     let mut bilateral: Option<Worst> = None;
     for k in problem.bilateral() {
-        let rows = problem.rows_of(k);
-        let norm = |vector: &DVector<f64>| vector.rows(rows.start, rows.len()).norm();
-        let part = joints.part(k, norm(&law_velocity));
+        let part = joints.velocity(k, &law_velocity);
         bilateral.get_or_insert(Worst { part, contact: k, largest: part.value }).take(k, part);
-        contacts.judged.velocity.take(k, joints.part(k, norm(&(stored - &found))));
+        contacts.judged.velocity.take(k, joints.stored(k, [stored, &found]));
     }
     contacts.velocity = contacts.judged.velocity.largest;
     Ok(JointedResiduals { contacts, bilateral })
@@ -85,7 +82,7 @@ fn of_contacts(problem: &JointedProblem, solution: &Solution, joints: &Joints) -
     let moved = problem.delassus() * &held;
     // nothing is added to u_free, and nothing rounds, where the joints move nothing
     let given = problem.free_velocity().zip_map(&moved, |free, moved| if moved == 0.0 { 0.0 } else { free.abs() });
-    let rounding = (problem.delassus().abs() * held.abs() + given) * gamma(2 * problem.rows() + 8);
+    let rounding = (problem.delassus().abs() * held.abs() + given).component_mul(&gammas(problem));
     let given = problem.unilateral(problem.delassus(), &(problem.free_velocity() + moved))?;
     let data = problem.free_velocity() + problem.shifts();
     let [impulse, velocity] = [&solution.impulse, &solution.velocity].map(|all| problem.spread(all));

@@ -38,6 +38,8 @@ pub struct Judge {
     pairs: Pairs,
     /// Whether it is asked if W is one of bodies as a whole, or by its entries alone.
     thoroughly: bool,
+    /// Whether rounding hides too much of y at some contact that was judged last.
+    is_doubtful: bool,
 }
 
 impl Judge {
@@ -100,7 +102,10 @@ impl Judge {
         mut see: impl FnMut(usize, usize, Part),
     ) -> Result<Judged> {
         self.scales.prepare(problem);
-        let judged = self.thoroughly(|judge| judge.judge_shown(problem, solution, Unheld::default(), &mut see))?;
+        let judged = self.thoroughly(|judge| {
+            judge.judge_unheld(problem, solution, Unheld::default())?;
+            judge.judge_again(problem, solution, None, &mut see)
+        })?;
         self.each_stored(problem, solution, |contact, at, value, floor| {
             see(contact, 5, Part { value, scale: self.scales.velocities(contact)[at.min(1)], floor });
         });
@@ -115,31 +120,36 @@ impl Judge {
     }
 
     fn judge_unheld(&mut self, problem: &ContactProblem, solution: &Solution, unheld: Unheld) -> Result<Judged> {
-        self.judge_shown(problem, solution, unheld, &mut |_, _, _| {})
-    }
-
-    /// Shows the residuals of every contact but those of the stored u.
-    fn judge_shown(
-        &mut self,
-        problem: &ContactProblem,
-        solution: &Solution,
-        unheld: Unheld,
-        see: &mut impl FnMut(usize, usize, Part),
-    ) -> Result<Judged> {
         let impulse = solution.impulse.as_slice();
         self.scales.set_floors(problem, impulse);
         self.scales.set_unheld(unheld);
         self.set_law_velocity(problem, impulse);
-        let law_velocity = std::mem::take(&mut self.law_velocity);
-        let judged = self.contacts(problem, solution, &law_velocity, unheld.joints, see);
-        self.law_velocity = law_velocity;
-        let mut judged = judged?;
+        self.is_doubtful = false;
+        let mut judged = self.judge_again(problem, solution, unheld.joints, &mut |_, _, _| {})?;
+        if self.is_doubtful {
+            self.scales.sharpen(problem, impulse, unheld.joints, &mut self.law_velocity);
+            judged = self.judge_again(problem, solution, unheld.joints, &mut |_, _, _| {})?;
+        }
         self.each_stored(problem, solution, |contact, at, value, floor| {
             if !judged.velocity.ignores(value, floor) {
                 judged.velocity.take(contact, Part { value, scale: self.scales.velocities(contact)[at.min(1)], floor });
             }
         });
         Ok(judged)
+    }
+
+    /// The contacts at y and floors as they are, without the stored u; shows their residuals.
+    fn judge_again(
+        &mut self,
+        problem: &ContactProblem,
+        solution: &Solution,
+        joints: Option<&Joints>,
+        see: &mut impl FnMut(usize, usize, Part),
+    ) -> Result<Judged> {
+        let law_velocity = std::mem::take(&mut self.law_velocity);
+        let judged = self.contacts(problem, solution, &law_velocity, joints, see);
+        self.law_velocity = law_velocity;
+        judged
     }
 
     /// ρ_n and ρ_t of every contact \[kg\].
@@ -210,6 +220,7 @@ impl Judge {
                 continue;
             }
             let Held { weights, sizes, most, impulse, floors, uncertain } = self.scales.held(k, floors);
+            self.is_doubtful |= uncertain.is_some();
             if cone.0 != *friction {
                 cone = (*friction, 1.0 / length(law.cone_friction(*friction), 1.0));
             }
@@ -229,7 +240,7 @@ impl Judge {
     fn each_stored(&self, problem: &ContactProblem, solution: &Solution, mut show: impl FnMut(usize, usize, f64, f64)) {
         let (rows, softness) = (problem.rows_per_contact(), problem.row_compliances());
         let soft = |row: usize| softness.map_or(0.0, |softness| softness[row]);
-        let given = problem.shift().as_slice().iter().zip(&self.scales.floors);
+        let given = problem.shift().as_slice().iter().zip(self.scales.of_stored());
         let answer = solution.velocity.as_slice().iter().zip(solution.impulse.as_slice()).zip(&self.law_velocity);
         let (mut contact, mut at) = (0, 0);
         for (row, (((stored, r), y), (shift, floor))) in answer.zip(given).enumerate() {
@@ -332,3 +343,7 @@ pub(super) fn check_sizes(problem: &ContactProblem, solution: &Solution) -> Resu
         )),
     }
 }
+
+#[cfg(test)]
+#[path = "rounding_tests.rs"]
+mod rounding_tests;

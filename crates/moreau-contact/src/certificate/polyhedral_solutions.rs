@@ -74,6 +74,16 @@ pub(crate) fn friction_lcp(problem: &ContactProblem, directions: usize) -> Resul
     Ok(Data::new(problem, operator(problem)?, directions).lcp)
 }
 
+/// The same of this W and these velocities without impulses in place of the problem's own.
+pub(crate) fn friction_lcp_of(
+    problem: &ContactProblem,
+    w: DMatrix<Rational>,
+    given: &DVector<Rational>,
+    directions: usize,
+) -> Lcp<Rational> {
+    Data::of(problem, w, given, directions).lcp
+}
+
 /// The problem in fractions.
 struct Data {
     lcp: Lcp<Rational>,
@@ -86,6 +96,12 @@ struct Data {
 
 impl Data {
     fn new(problem: &ContactProblem, w: DMatrix<Rational>, directions: usize) -> Self {
+        let given = problem.free_velocity().map(exact) + problem.shift().map(exact);
+        Data::of(problem, w, &given, directions)
+    }
+
+    /// Of this W and these u_free + shift.
+    fn of(problem: &ContactProblem, w: DMatrix<Rational>, given: &DVector<Rational>, directions: usize) -> Self {
         let (contacts, rows) = (problem.contacts(), problem.rows());
         let free = problem.free_velocity().map(exact);
         if contacts == 0 {
@@ -98,7 +114,7 @@ impl Data {
         (0..rows).for_each(|row| soft[(row, row)] += exact(problem.row_compliance(row)));
         let friction: Vec<Rational> = problem.friction().iter().map(|mu| exact(*mu)).collect();
         let transposed = g.transpose();
-        let velocity = &transposed * (&free + problem.shift().map(exact));
+        let velocity = &transposed * given;
         let lcp = lcp(&(&transposed * soft * &g), &friction, &velocity);
         let moved = w * &g;
         Data { lcp, generators: g, moved, free }

@@ -5,10 +5,10 @@
 //!     s_n = max |r_n|, ρ_n |(W r)_n|  over the contacts of the same two bodies, and ρ_n |q_n| of its own         [N·s]
 //!     s_r = max |r_n|  over them, and ρ_n |q_n| of its own                                                       [N·s]
 //!     s_t = max ‖r‖, ρ_t ‖(W r)_t‖  over them, and ρ_t ‖q_t‖ of its own                                [N·s]
-//!     floor = γ (Σ_j |W_kj||r_j| + |u_free| + |shift| + R_k|r_k|) ,   γ = mε/(1 − mε) ,   m = 2 rows + 8         [m/s]
+//!     floor = γ (Σ_j |W_kj||r_j| + |u_free| + |shift| + R_k|r_k|) ,   γ = mε/(1 − mε) ,   m = 2 terms + 8        [m/s]
 //! ```
-//! Where W acts through bodies and is not formed, the sum is |Yᵀ|D⁻¹|Y||r|, an upper bound of |W||r|, because that is where y is rounded,
-//! and m = 2 terms + 8 with the products that are summed for a row.
+//! The terms of a contact are the rows of all that W joins with it, itself among them, however W is stored: zeros of W round nothing. Where
+//! W acts through bodies and is not formed, the sum is |Yᵀ|D⁻¹|Y||r|, an upper bound of |W||r|, because that is where y is rounded.
 //!
 //! with q = u_free + shift and (W r) with R r in it, net: what cancels between the contacts of a body is no excuse for another body. Normal
 //! and tangential parts stay apart, so that fast sliding does not widen what a normal impulse is held against: for the associated laws q_n
@@ -21,6 +21,7 @@
 //! move is no V either: where W is not positive semidefinite they may grow without end, each the excuse of the other. Nor is a
 //! floor more than 10⁻⁵ of the largest velocity in q: where rounding hides that, nothing is certain, and the rounding itself counts
 //! as a residual of y, which may be zero only because q was lost in it; not what u_free and shift lose in each other, for q is one sum.
+//! There y is computed with twice the digits, of which rounding hides ε|y| and γ² of the terms: its true value is what is judged.
 //!
 //! An impulse that does not move its own contact, W_nn = 0 as in many complementarity problems, says nothing about the size of that
 //! contact's velocity: |r_n| is left out of its s_n, and q_n out of its s_r. Growing along a ray such an impulse would excuse any velocity.
@@ -38,7 +39,9 @@ use crate::cones::polyhedral::direction;
 use crate::cones::second_order::{length, tangential_norm};
 use crate::memory::spare;
 use crate::problem::{ContactProblem, Law, Weights};
-use crate::tolerance::certificate::{HIDDEN, JAMMED, PROJECTED, gamma};
+use crate::tolerance::certificate::{HIDDEN, JAMMED, PROJECTED, row_rounding};
+use moreau_exact::doubled::DoubledResiduals;
+use moreau_exact::tolerance::EPSILON;
 
 /// Entries of the largest block of a contact, of six rows.
 const MOST_ENTRIES: usize = 36;
@@ -49,6 +52,8 @@ pub(super) struct Scales {
     contacts: Vec<Known>,
     /// Floor per row \[m/s\].
     pub floors: Vec<f64>,
+    /// What a stored u may be off by where the floor is that of doubled precision: what rounding may hide \[m/s\]. Empty where none is.
+    stored: Vec<f64>,
     /// γ (|u_free| + |shift| − |q|), the part of it that q = u_free + shift, one sum, does not round; none where shift is zero \[m/s\].
     unrounded: Vec<f64>,
     /// What a group shares of s_n, s_r, s_t, at its first contact \[N·s\].
@@ -100,6 +105,8 @@ struct Largest {
     fastest: f64,
     /// Normal impulse \[N·s\].
     impulse: f64,
+    /// How many contacts it has.
+    contacts: usize,
 }
 
 impl Largest {
@@ -174,14 +181,15 @@ impl Scales {
         let own = |(row, ((free, shift), r)): (usize, ((&f64, &f64), &f64))| free.abs() + shift.abs() + soft(row) * r.abs();
         self.floors.clear();
         self.floors.extend(data.zip(impulse).enumerate().map(own));
-        let operator = problem.delassus().of_contacts();
-        operator.add_magnitudes(impulse, &mut self.floors);
-        let gamma = gamma(2 * operator.terms() + 8);
-        self.floors.iter_mut().for_each(|floor| *floor *= gamma);
+        problem.delassus().of_contacts().add_magnitudes(impulse, &mut self.floors);
+        self.stored.clear();
+        let gammas = problem.rounding();
+        self.floors.iter_mut().zip(gammas).for_each(|(floor, gamma)| *floor *= gamma);
         self.unrounded.clear();
         let (free, shift) = (problem.free_velocity().as_slice(), problem.shift().as_slice());
         if shift.iter().any(|shift| *shift != 0.0) {
-            self.unrounded.extend(free.iter().zip(shift).map(|(free, shift)| gamma * (free.abs() + shift.abs() - (free + shift).abs())));
+            let lost = |((free, shift), gamma): ((&f64, &f64), &f64)| gamma * (free.abs() + shift.abs() - (free + shift).abs());
+            self.unrounded.extend(free.iter().zip(shift).zip(gammas).map(lost));
         }
     }
 
@@ -214,6 +222,7 @@ impl Scales {
             let pushed = [own.max(normal * moved(0).abs()), r[0].abs(), length(tangential_norm(r), r[0]).max(tangential * net)];
             let largest = &mut self.largest[known.island];
             largest.impulse = at_least(largest.impulse, r[0].abs());
+            largest.contacts += 1;
             for (row, q) in q.iter().enumerate() {
                 largest.given = at_least(largest.given, q.abs());
                 largest.fastest = at_least(at_least(largest.fastest, q.abs()), moved(row).abs());
@@ -262,6 +271,53 @@ impl Scales {
         rounded[0].max(tangential_norm(&rounded))
     }
 
+    /// Puts y and floors of doubled precision to the rows of the contacts of which rounding hides too much.
+    ///
+    /// ```text
+    ///     floor = ε|y| + γ² (Σ_j |W_kj||r_j| + |u_free| + |shift| + R_k|r_k|)                                        [m/s]
+    /// ```
+    #[cold]
+    pub fn sharpen(&mut self, problem: &ContactProblem, impulse: &[f64], joints: Option<&Joints>, law_velocity: &mut [f64]) {
+        let of_joints = |joints: &Joints| Some(joints.sharp_of_contacts());
+        let Some([sharp, floors]) = joints.map_or_else(|| self.sharp(problem, impulse), of_joints) else { return };
+        let rows = problem.rows_per_contact();
+        self.stored.extend_from_slice(&self.floors);
+        for k in 0..problem.contacts() {
+            let own = k * rows..(k + 1) * rows;
+            let lost = |row: usize| self.unrounded.get(row).copied().unwrap_or(0.0);
+            let rounded: Vec<f64> = own.clone().map(|row| self.floors[row] - lost(row)).collect();
+            if rounded[0].max(tangential_norm(&rounded)) <= self.hidden(k) {
+                continue;
+            }
+            for row in own {
+                law_velocity[row] = sharp[row];
+                self.stored[row] = at_most(self.hidden(k), self.floors[row]);
+                self.floors[row] = floors[row];
+                self.unrounded.get_mut(row).into_iter().for_each(|lost| *lost = 0.0);
+            }
+        }
+    }
+
+    /// y of doubled precision and its rounding; `None` where that is not known.
+    fn sharp(&self, problem: &ContactProblem, impulse: &[f64]) -> Option<[Vec<f64>; 2]> {
+        let (gammas, softness) = (problem.rounding(), problem.row_compliances());
+        let mut sums = DoubledResiduals::new(problem.free_velocity().as_slice());
+        for (row, (shift, r)) in problem.shift().iter().zip(impulse).enumerate() {
+            sums.subtract_unit(row, &-shift);
+            softness.into_iter().for_each(|softness| sums.subtract_from(row, &softness[row..=row], &-r));
+        }
+        let off = problem.delassus().add_doubled(impulse, gammas, &mut sums)?;
+        let sharp = sums.values();
+        let floor = |row: usize| EPSILON * sharp[row].abs() + gammas[row] * self.floors[row] + off[row];
+        let floors = (0..sharp.len()).map(floor).collect();
+        Some([sharp, floors])
+    }
+
+    /// What a stored u may be off by, row by row \[m/s\].
+    pub fn of_stored(&self) -> &[f64] {
+        if self.stored.is_empty() { &self.floors } else { &self.stored }
+    }
+
     /// What rounding may hide at a contact \[m/s\].
     pub fn hidden(&self, contact: usize) -> f64 {
         self.largest[self.contacts[contact].island].hidden()
@@ -287,8 +343,8 @@ impl Scales {
     /// The scale of r_n itself, with its rounding \[N·s\], where an impulse does not move its own contact, so that no velocity tells how
     /// large it should be: the normal impulses there are between the two bodies.
     fn of_impulse(&self, known: &Known) -> [f64; 2] {
-        let largest = self.largest[known.island].impulse;
-        [self.shared[known.group][1], gamma(2 * self.shared.len() + 8) * largest]
+        let Largest { impulse, contacts, .. } = self.largest[known.island];
+        [self.shared[known.group][1], row_rounding(contacts) * impulse]
     }
 
     /// s_n, s_r and s_t of contact k \[N·s\].

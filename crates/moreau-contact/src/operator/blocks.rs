@@ -332,8 +332,12 @@ impl ContactOperator for BlockSparse {
         None
     }
 
-    fn terms(&self) -> usize {
-        self.rows_per_contact * self.contacts()
+    fn write_terms(&self, terms: &mut [usize]) {
+        let d = self.rows_per_contact;
+        terms.fill(d);
+        for k in 0..self.contacts() {
+            self.met(k).iter().filter(|j| **j != k).for_each(|j| terms[*j] += d);
+        }
     }
 }
 

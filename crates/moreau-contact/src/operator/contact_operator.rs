@@ -37,6 +37,7 @@ pub trait ContactOperator {
     /// If there is no such contact.
     fn bodies(&self, contact: usize) -> Option<&[u32]>;
 
-    /// Most products that are summed for one row of W r, which is what the rounding of a row grows with.
-    fn terms(&self) -> usize;
+    /// Writes for every contact how many products are summed for one row of its W r, which is what the rounding of that row grows with: as
+    /// many as the contacts have rows that W joins with it, itself among them. What W does not join with it counts nothing.
+    fn write_terms(&self, terms: &mut [usize]);
 }

@@ -38,7 +38,13 @@ impl ContactOperator for DMatrix<f64> {
         None
     }
 
-    fn terms(&self) -> usize {
-        self.ncols()
+    fn write_terms(&self, terms: &mut [usize]) {
+        let rows = self.nrows() / terms.len().max(1);
+        terms.fill(rows);
+        for k in 0..terms.len() {
+            let columns = || (k * rows..(k + 1) * rows).map(|column| entries(self, column));
+            let joined = |j: usize| columns().any(|column| column[j * rows..(j + 1) * rows].iter().any(|w| *w != 0.0));
+            terms.iter_mut().enumerate().filter(|(j, _)| *j != k && joined(*j)).for_each(|(_, terms)| *terms += rows);
+        }
     }
 }

@@ -11,8 +11,10 @@
 use super::mass_block::Factor;
 use super::{BlockRows, BlockSparse, ContactOperator};
 use crate::memory;
+use crate::tolerance::certificate::VELOCITIES;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DMatrixView};
+use std::collections::HashMap;
 
 /// W by the bodies that contacts touch.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,8 +32,8 @@ pub struct MatrixFree {
     inverse: Vec<f64>,
     /// W_kk, column by column \[1/kg\].
     diagonal: Vec<f64>,
-    /// Most products that one row of W r sums.
-    terms: usize,
+    /// Of every contact, [`ContactOperator::write_terms`].
+    terms: Vec<usize>,
 }
 
 impl MatrixFree {
@@ -74,7 +76,7 @@ impl MatrixFree {
             return Err(Error::invalid("jacobian", format!("has the entry {entry}"), "use finite numbers"));
         }
         let rows = jacobian.rows_per_contact();
-        let terms = most_terms(&jacobian);
+        let terms = terms(&jacobian);
         let mut made = MatrixFree {
             masses: kept,
             mass_starts,
@@ -302,13 +304,25 @@ impl MatrixFree {
     }
 }
 
-/// Velocities of each body, times one and the rows that push it, summed over the bodies of a contact.
-fn most_terms(jacobian: &BlockRows) -> usize {
-    let mut pushed = vec![0_usize; jacobian.body_count()];
-    let contacts = 0..jacobian.contacts();
-    contacts.clone().flat_map(|k| jacobian.bodies(k)).for_each(|body| pushed[*body as usize] += jacobian.rows_per_contact());
-    let of = |body: &u32| jacobian.velocities(*body as usize).len() * (1 + pushed[*body as usize]);
-    contacts.map(|k| jacobian.bodies(k).iter().map(of).sum()).max().unwrap_or(0)
+/// Of every contact the rows of the contacts that touch one of its bodies, each contact once where none touches more than two bodies, and
+/// what velocities beyond those of two bodies in space round.
+fn terms(jacobian: &BlockRows) -> Vec<usize> {
+    let (mut touching, mut both) = (vec![0; jacobian.body_count()], HashMap::<[u32; 2], usize>::new());
+    for k in 0..jacobian.contacts() {
+        let bodies = jacobian.bodies(k);
+        bodies.iter().for_each(|body| touching[*body as usize] += 1);
+        if let Ok(pair) = bodies.try_into() {
+            *both.entry(pair).or_default() += 1;
+        }
+    }
+    let of = |k: usize| {
+        let bodies = jacobian.bodies(k);
+        let twice = bodies.try_into().ok().and_then(|pair: [u32; 2]| both.get(&pair)).copied().unwrap_or(0);
+        let joined = bodies.iter().map(|body| touching[*body as usize]).sum::<usize>() - twice;
+        let velocities: usize = bodies.iter().map(|body| jacobian.velocities(*body as usize).len()).sum();
+        jacobian.rows_per_contact() * joined.max(1) + velocities.saturating_sub(VELOCITIES).div_ceil(4)
+    };
+    (0..jacobian.contacts()).map(of).collect()
 }
 
 impl ContactOperator for MatrixFree {
@@ -336,8 +350,8 @@ impl ContactOperator for MatrixFree {
         Some(self.jacobian.bodies(contact))
     }
 
-    fn terms(&self) -> usize {
-        self.terms
+    fn write_terms(&self, terms: &mut [usize]) {
+        terms.copy_from_slice(&self.terms);
     }
 }
 

@@ -13,6 +13,7 @@ mod block_rows;
 mod blocks;
 mod contact_operator;
 mod dense;
+mod doubled;
 mod islands;
 mod lists;
 mod mass_block;

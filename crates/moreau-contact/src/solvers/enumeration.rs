@@ -60,7 +60,7 @@ impl ContactSolver for Enumeration {
 }
 
 /// Why there is no solution.
-fn reason(lcp: &Lcp<Rational>) -> String {
+pub(super) fn reason(lcp: &Lcp<Rational>) -> String {
     let Some(y) = infeasible(lcp) else {
         return "no solution exists: no complementary cone holds q, although some z ≥ 0 has M z + q ≥ 0".into();
     };

@@ -9,6 +9,7 @@
 //! theirs. A row of which nearly nothing is left is refused, for nobody can tell whether it repeats them.
 
 use super::ContactSolver;
+use super::joints_exactly::{self as exactly, Decided};
 use crate::problem::{ContactProblem, JointedProblem, MOST_ROWS, Solution};
 use crate::tolerance::joints::{AGREES, DEPENDENT, INDEPENDENT};
 use moreau_exact::error::Failure;
@@ -197,10 +198,22 @@ fn without_mechanism(error: Error) -> Error {
     }
 }
 
+/// That there is no solution a solver tells of Ŵ and q̂, which are rounded: the word stays where it is proved of the problem itself.
+fn of_all_rows(problem: &JointedProblem, left: &WithoutJoints, error: Error) -> Error {
+    let Error::Solver { solver, failure: Failure::Infeasible, .. } = error else { return error };
+    let found = "once the joints are eliminated, which rounds, what is left of the contacts has no solution";
+    match exactly::decided(problem, left.contacts()) {
+        Decided::None(reason) => Error::infeasible(solver, reason),
+        Decided::Some => Error::breakdown(solver, format!("{found}, but the problem itself has one, as elimination in fractions shows")),
+        Decided::Nothing => Error::breakdown(solver, format!("{found}: of the problem itself that proves nothing")),
+    }
+}
+
 /// Solves a problem with joints by a solver for contacts, from the impulses of all rows `warm_start` if given.
 ///
 /// # Errors
-/// Those of [`WithoutJoints::new`] and of the solver; [`Error::Invalid`] if the warm start has another size.
+/// Those of [`WithoutJoints::new`] and of the solver; [`Error::Invalid`] if the warm start has another size. The failure `infeasible` is told
+/// where it is proved of the problem, not of what elimination in floating-point numbers left of it.
 pub fn solve_jointed(problem: &JointedProblem, solver: &dyn ContactSolver, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
     if let Some(warm) = warm_start {
         problem.require_rows("warm_start", warm.len())?;
@@ -209,7 +222,7 @@ pub fn solve_jointed(problem: &JointedProblem, solver: &dyn ContactSolver, warm_
     let start = warm_start.map(|all| problem.spread(all));
     let found = match left.contacts().contacts() {
         0 => Solution::new(solver.name(), DVector::zeros(0), DVector::zeros(0), 0),
-        _ => solver.solve(left.contacts(), start.as_ref()).map_err(without_mechanism)?,
+        _ => solver.solve(left.contacts(), start.as_ref()).map_err(|error| of_all_rows(problem, &left, without_mechanism(error)))?,
     };
     let mut impulse = DVector::zeros(problem.rows());
     problem.gather(&found.impulse, &mut impulse);

@@ -8,7 +8,7 @@
 //! ```
 
 use super::balanced::balanced;
-use crate::certificate::polyhedral_solutions::friction_lcp;
+use crate::certificate::polyhedral_solutions::{friction_lcp, friction_lcp_of};
 use crate::certificate::true_operator::operator;
 use crate::cones::polyhedral;
 use crate::memory;
@@ -110,7 +110,15 @@ impl Form {
         if let Form::StewartTrinkle { directions } = self {
             return friction_lcp(problem, directions);
         }
-        let mut w = operator(problem)?;
+        let given = problem.free_velocity().map(exact) + problem.shift().map(exact);
+        Ok(self.exact_lcp_of(problem, operator(problem)?, &given))
+    }
+
+    /// The same of this W and these u_free + shift in place of the problem's own.
+    pub(super) fn exact_lcp_of(self, problem: &ContactProblem, mut w: DMatrix<Rational>, given: &DVector<Rational>) -> Lcp<Rational> {
+        if let Form::StewartTrinkle { directions } = self {
+            return friction_lcp_of(problem, w, given, directions);
+        }
         (0..problem.rows()).for_each(|row| w[(row, row)] += exact(problem.row_compliance(row)));
         let g = self.exact_generators(problem);
         let transposed = g.transpose();
@@ -118,7 +126,7 @@ impl Form {
         if let Some(Compliance { coordinates: Coordinates::Edge, diagonal }) = problem.compliance() {
             diagonal.iter().enumerate().for_each(|(edge, soft)| matrix[(edge, edge)] += exact(*soft));
         }
-        Ok(Lcp::new(matrix, transposed * (problem.free_velocity().map(exact) + problem.shift().map(exact))))
+        Lcp::new(matrix, transposed * given)
     }
 
     /// G of normals or edges n + μ Dⱼ in fractions.

@@ -62,6 +62,7 @@ mod friction_set;
 pub mod gauss;
 mod interior_point;
 mod joints;
+mod joints_exactly;
 mod least_norm;
 pub mod lemke;
 mod lemke_outcome;

@@ -11,6 +11,23 @@ pub fn gamma(operations: usize) -> f64 {
     if part < 1.0 { part / (1.0 - part) } else { f64::INFINITY }
 }
 
+/// γ of a row y_i = Σ_j W_ij r_j + q_i, relative to Σ_j |W_ij||r_j| + |u_free| + |shift| + R_i|r_i|, of `terms` products: those of the
+/// contacts that W joins with this one. Each is rounded, and so is each sum; what W does not join adds zeros, which round nothing, so that
+/// a contact is judged alone as beside any number that it never meets. u_free, shift and R r take four more, and as many halves of ε again
+/// are left to data that are rounded themselves: m = 2 terms + 8 spacings in all.
+///
+/// Where W acts through bodies, relative to |Yᵀ|D⁻¹|Y||r|, an impulse is one of at most `terms` that push a body, whose velocity is divided
+/// by its mass and is one of those of the bodies of a contact: at most terms + 12 + 6 halves of ε for the [`VELOCITIES`] of two bodies in
+/// space, of the 4 terms + 16 that there are; each four further ones count as a term.
+/// Derived.
+pub fn row_rounding(terms: usize) -> f64 {
+    gamma(2 * terms + 8)
+}
+
+/// Velocities of two bodies in space: see [`row_rounding`].
+/// Derived.
+pub const VELOCITIES: usize = 12;
+
 /// Rounding of a radial projection onto a disk, relative to the radius μ r_n. It takes eight operations: a norm of two components, a
 /// quotient and two products, and the radius.
 /// Derived.

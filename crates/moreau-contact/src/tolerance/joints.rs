@@ -16,3 +16,8 @@ pub const INDEPENDENT: f64 = 1.0 / (1u64 << 24) as f64;
 /// below is left to the certificate.
 /// Required: of every joint that is taken, by the users of the certificate.
 pub const AGREES: f64 = 1e-9;
+
+/// Rows up to which joints are eliminated in fractions, to see whether a problem has a solution where rounded numbers say that it has none:
+/// less than a second.
+/// Set.
+pub const EXACT_ROWS: usize = 60;

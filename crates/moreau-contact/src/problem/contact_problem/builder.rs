@@ -325,6 +325,7 @@ impl ContactProblemBuilder {
             groups: Once::default(),
             weights: Once::default(),
             islands: Once::default(),
+            rounding: Once::default(),
             overreaches: self.overreaches.map_or_else(Once::default, Once::known),
             indefiniteness: if self.overreaches == Some(false) { Once::known(0.0) } else { Once::default() },
             velocity_factor: Once::default(),

@@ -1,10 +1,11 @@
 //! The one-step contact problem: u = W r + u_free, y = u + shift + R r, (r, y) in the law.
 
 use super::{ContactKey, Law};
-use crate::memory::spare::Lent;
+use crate::memory::spare::{self, Lent};
 #[cfg(feature = "files")]
 use crate::operator::Sparse;
 use crate::operator::{ContactOperator, Islands, Operator, VelocityFactor};
+use crate::tolerance::certificate::row_rounding;
 use crate::tolerance::problem::WRITTEN_OUT;
 use nalgebra::{DMatrix, DVector};
 
@@ -82,6 +83,7 @@ pub struct ContactProblem {
     groups: Once<Lent<Vec<usize>>>,
     weights: Once<Weights>,
     islands: Once<Islands>,
+    rounding: Once<Lent<Vec<f64>>>,
     overreaches: Once<bool>,
     indefiniteness: Once<f64>,
     velocity_factor: Once<Option<VelocityFactor>>,
@@ -194,6 +196,17 @@ impl ContactProblem {
     /// The contacts that W joins, found once.
     pub(crate) fn islands(&self) -> &Islands {
         self.islands.get_or(|| Islands::of(&self.delassus, self.contacts()))
+    }
+
+    /// γ of every row of y, relative to its terms, found once.
+    pub(crate) fn rounding(&self) -> &[f64] {
+        self.rounding.get_or(|| {
+            let mut terms = Lent::from(spare::repeated(self.contacts(), 0));
+            self.delassus.of_contacts().write_terms(&mut terms);
+            let rows = self.rows_per_contact;
+            let of_rows = terms.iter().flat_map(|terms| std::iter::repeat_n(row_rounding(*terms), rows));
+            spare::collected(self.rows(), of_rows).into()
+        })
     }
 
     /// Whether some entry of W is larger than those of bodies, or it is said to be any matrix; found once.

@@ -11,7 +11,7 @@
 //! ```text
 //!     |w_i| ≤ ½ γ S_i ,   S_i = |q_i| + Σ |M_ij| z_j ,   γ = mε/(1 − mε) ,   m = 2n + 8 ,      γ S_i ≤ ½ 10⁻⁵ max |q_j|,  j meets i
 //! ```
-//! w rounds by at most (n + 2)ε/2 S here and by (n + 3)ε/2 S there, together less than the other half of γ S. So it is not asked.
+//! with n the contacts j ≠ i of M_ij ≠ 0 and i itself. w rounds by at most (n + 2)ε/2 S here and by (n + 3)ε/2 S there, together less than the other half of γ S. So it is not asked.
 
 use super::elimination::eliminate;
 use super::parts::{MOST, answer, relative};
@@ -19,7 +19,7 @@ use super::path;
 use super::rows::{Rows, Support, bit};
 use crate::memory::spare;
 use crate::problem::{ContactProblem, Solution};
-use crate::tolerance::certificate::{HIDDEN, gamma};
+use crate::tolerance::certificate::{HIDDEN, row_rounding};
 use crate::tolerance::solvers::direct_steps;
 use nalgebra::DVector;
 
@@ -90,17 +90,19 @@ impl Rows {
 
     /// w at z, and what it says.
     fn judged(&self, support: Support, z: [f64; MOST]) -> ([f64; MOST], Point) {
-        let (n, gamma) = (self.size, gamma(2 * self.size + 8));
+        let n = self.size;
         let (mut w, mut negative, mut is_exact) = ([0.0; MOST], 0, true);
         for i in 0..n {
             let (mut sum, mut size, mut given) = (self.vector[i], self.vector[i].abs(), self.vector[i].abs());
+            let mut terms = usize::from(self.matrix[i][i] == 0.0);
             for j in (0..n).filter(|j| self.matrix[i][*j] != 0.0) {
                 let product = self.matrix[i][j] * z[j];
                 sum += product;
                 size += product.abs();
                 given = given.max(self.vector[j].abs());
+                terms += 1;
             }
-            let floor = gamma * size;
+            let floor = row_rounding(terms) * size;
             let inside = support & bit(i) != 0;
             // what is not a number is neither exact nor negative, and goes no further
             is_exact &= (sum.abs() <= 0.5 * floor || (!inside && sum >= 0.0)) && floor <= 0.5 * HIDDEN * given;

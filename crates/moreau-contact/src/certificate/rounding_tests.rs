@@ -1,0 +1,199 @@
+//! What rounding hides of y: neither contacts that are not met nor the way W is stored change it, and where it hides too much y is computed
+//! with twice the digits. Answers are decided in fractions.
+
+use super::super::joints::jointed_residuals;
+use super::super::residuals;
+use super::super::scales::Scales;
+use crate::operator::{BlockRows, MatrixFree, Operator};
+use crate::problem::{ConstraintKind, ContactProblem, JointedProblem, Law, Solution};
+use crate::tolerance::certificate::CERTIFY;
+use moreau_exact::scalar::{Rational, Scalar, exact};
+use nalgebra::{DMatrix, DVector};
+
+/// Bodies of these masses one on the other, and each of `apart` bodies of 1 kg alone on the floor; W by bodies, by blocks and dense.
+fn stacks(rows: usize, masses: &[f64], apart: usize) -> [Operator; 3] {
+    let bodies = masses.len() + apart;
+    let mut jacobian = BlockRows::new(rows, vec![rows; bodies]).unwrap();
+    let side = |sign: f64| DMatrix::from_diagonal_element(rows, rows, sign).as_slice().to_vec();
+    let (own, other) = (side(1.0), side(-1.0));
+    for body in 0..bodies {
+        let alone = body == 0 || body >= masses.len();
+        let parts: &[(usize, &[f64])] = if alone { &[(body, &own)] } else { &[(body - 1, &other), (body, &own)] };
+        jacobian.push(parts).unwrap();
+    }
+    let mass = |body: usize| DMatrix::from_diagonal_element(rows, rows, masses.get(body).copied().unwrap_or(1.0));
+    let free = MatrixFree::new(&(0..bodies).map(mass).collect::<Vec<_>>(), jacobian).unwrap();
+    let blocks = free.delassus().unwrap();
+    [blocks.to_dense().into(), blocks.into(), free.into()]
+}
+
+/// A stack of two in which the upper one weighs `ratio` times as much: what the normals carry, and y = 0 without what is `off`.
+struct Heavy {
+    rows: usize,
+    masses: [f64; 2],
+    loads: [f64; 2],
+    /// u_free of the normals.
+    given: [f64; 2],
+}
+
+impl Heavy {
+    fn new(rows: usize, light: f64, ratio: f64, load: f64) -> Self {
+        let (masses, loads) = ([light, light * ratio], [load * ratio + 1.0, load * ratio]);
+        let of = |i: usize| Scalar::to_f64(&-moved(&masses, &loads)[i].clone());
+        Heavy { rows, masses, loads, given: [of(0), of(1)] }
+    }
+
+    /// V.
+    fn fastest(&self) -> f64 {
+        self.given[0].abs().max(self.given[1].abs())
+    }
+
+    /// The largest |y| with this load of the lower contact, of mass and Jacobian without any rounding.
+    fn off(&self, lower: f64) -> f64 {
+        let y = moved(&self.masses, &[lower, self.loads[1]]);
+        (0..2).map(|i| Scalar::to_f64(&(y[i].clone() + exact(self.given[i]))).abs()).fold(0.0, f64::max)
+    }
+
+    /// Whether the answer with this load of the lower contact is accepted beside so many contacts alone, W stored in each way.
+    fn accepts(&self, lower: f64, apart: usize, tolerance: f64) -> [bool; 3] {
+        let (size, rows) = (self.rows * (2 + apart), self.rows);
+        let of = |each: [f64; 3]| DVector::from_fn(size, |i, _| if i % rows == 0 { each[(i / rows).min(2)] } else { 0.0 });
+        let impulse = of([lower, self.loads[1], 1.0]);
+        let y = moved(&self.masses, &[lower, self.loads[1]]);
+        let found = [0, 1].map(|i| Scalar::to_f64(&(y[i].clone() + exact(self.given[i]))));
+        let velocity = of([found[0], found[1], 0.0]);
+        stacks(rows, &self.masses, apart).map(|operator| {
+            let problem = ContactProblem::new(operator, of([self.given[0], self.given[1], -1.0])).rows_per_contact(rows);
+            let problem = problem.law(Law::Coulomb).friction(vec![if rows > 1 { 0.5 } else { 0.0 }; 2 + apart]).build().unwrap();
+            let solution = Solution::new("by hand", impulse.clone(), velocity.clone(), 0);
+            residuals(&problem, &solution).unwrap().is_solution(tolerance)
+        })
+    }
+}
+
+/// (W r)_n of the two normals.
+fn moved(masses: &[f64; 2], loads: &[f64; 2]) -> [Rational; 2] {
+    let [m, big, r, s] = [masses[0], masses[1], loads[0], loads[1]].map(exact);
+    let lower = (r - &s) / m;
+    [lower.clone(), s / big - lower]
+}
+
+#[test]
+fn contacts_that_are_not_met_and_the_way_w_is_stored_change_no_rounding() {
+    for rows in 1..=3 {
+        let floors = |apart: usize| {
+            stacks(rows, &[1.0, 3.0, 0.5], apart).map(|operator| {
+                let size = rows * (3 + apart);
+                let problem = ContactProblem::new(operator, DVector::from_element(size, -1.0)).rows_per_contact(rows);
+                let problem = problem.friction(vec![if rows > 1 { 0.5 } else { 0.0 }; 3 + apart]).build().unwrap();
+                let mut scales = Scales::default();
+                scales.prepare(&problem);
+                scales.set_floors(&problem, &vec![1.0; size]);
+                scales.floors[..3 * rows].to_vec()
+            })
+        };
+        let alone = floors(0);
+        for apart in [1, 40] {
+            assert_eq!(floors(apart), alone, "{rows} {apart}");
+        }
+        // the middle one meets both others, the last one only it
+        let gamma = |contacts: usize| crate::tolerance::certificate::row_rounding(contacts * rows);
+        let terms = [1.0 + 1.0 + 1.0, 1.0 + 1.0 + 4.0 / 3.0 + 1.0 / 3.0, 1.0 + 1.0 / 3.0 + 1.0 / 3.0 + 2.0];
+        for (k, (terms, contacts)) in terms.into_iter().zip([2, 3, 2]).enumerate() {
+            alone.iter().for_each(|floors| {
+                let expected = gamma(contacts) * terms;
+                assert!((floors[k * rows] - expected).abs() < 1e-12 * expected, "{rows} {k} {floors:?}");
+            });
+        }
+    }
+}
+
+#[test]
+fn an_answer_is_judged_alone_as_beside_contacts_that_it_does_not_meet() {
+    let heavy = (1 << 26) as f64;
+    for (rows, apart) in [(1, 0), (1, 400), (3, 0), (3, 130)] {
+        let stack = Heavy::new(rows, 1.0, heavy, 1.0);
+        assert_eq!(stack.accepts(stack.loads[0], apart, CERTIFY), [true; 3], "{rows} {apart}");
+        assert_eq!(stack.accepts(stack.loads[0] + 3e-5, apart, CERTIFY), [false; 3], "{rows} {apart}");
+        // between the rounding of two contacts and that of all
+        let off = 60.0 * rows as f64 * f64::EPSILON * heavy;
+        assert_eq!(stack.accepts(stack.loads[0] + off, apart, 1e-15), [false; 3], "{rows} {apart}");
+        assert_eq!(stack.accepts(stack.loads[0] + f64::EPSILON * heavy, apart, 1e-15), [true; 3], "{rows} {apart}");
+    }
+}
+
+#[test]
+fn answers_are_accepted_or_refused_by_what_they_are_up_to_ratios_of_2_to_the_45() {
+    let (mut right, mut wrong) = ([0; 2], [0; 2]);
+    for power in 20..=45 {
+        for (rows, light, load) in [(1, 1.0, 1.0), (2, 1.0, 3.0), (3, 0.5, 1.0), (1, 3.0, 1.0), (3, 7.0, 1.0 / 3.0)] {
+            let is_rounded = light > 1.0;
+            let stack = Heavy::new(rows, light, 2f64.powi(power), load);
+            let changes = [0.0, 1e-6, 3e-5, 1e-4, 1e-2, 1.0, -1e-6, -3e-5, -1e-3].map(|part| part * stack.fastest() * light);
+            for lower in changes.map(|change| stack.loads[0] + change) {
+                let off = stack.off(lower) / stack.fastest();
+                let found = stack.accepts(lower, 0, CERTIFY);
+                // the entries of a stored W are rounded, by half an ε of terms as large as the load
+                let stored = if is_rounded { 4.0 * f64::EPSILON * stack.loads[0] / light / stack.fastest() } else { 0.0 };
+                for (found, data) in found.into_iter().zip([stored, stored, 0.0]) {
+                    if off + data < 0.4e-5 {
+                        assert!(found, "2^{power}, {rows} rows, {light} kg: off by {off:e} V");
+                        right[usize::from(power > 31)] += 1;
+                    } else if off - data > 2.1e-5 {
+                        assert!(!found, "2^{power}, {rows} rows, {light} kg: off by {off:e} V");
+                        wrong[usize::from(power > 31)] += 1;
+                    }
+                }
+            }
+        }
+    }
+    println!("{right:?} right, {wrong:?} wrong");
+    assert!(right.iter().chain(&wrong).all(|count| *count > 300), "{right:?} {wrong:?}");
+}
+
+#[test]
+fn a_stored_velocity_is_no_righter_than_rounding_may_hide() {
+    let stack = Heavy::new(1, 1.0, 2f64.powi(40), 1.0);
+    for operator in stacks(1, &stack.masses, 0) {
+        let problem = ContactProblem::new(operator, DVector::from_row_slice(&stack.given)).rows_per_contact(1).build().unwrap();
+        let accepts = |u: f64| {
+            let solution = Solution::new("by hand", DVector::from_row_slice(&stack.loads), DVector::from_row_slice(&[u, 0.0]), 0);
+            residuals(&problem, &solution).unwrap().is_solution(CERTIFY)
+        };
+        assert!(accepts(0.0) && accepts(0.9e-5) && !accepts(1.2e-5) && !accepts(-1e-3));
+    }
+}
+
+#[test]
+fn beside_joints_answers_are_accepted_or_refused_by_what_they_are_too() {
+    let (mut right, mut wrong) = (0, 0);
+    let kinds = [ConstraintKind::Contact, ConstraintKind::Bilateral { rows: 1 }, ConstraintKind::Limit];
+    // the lower body stands on a contact or hangs on a rod, and a rod or a limit holds the upper one on it
+    for (power, [lower, upper]) in (20..=45).flat_map(|power| [[0, 1], [1, 2], [2, 1], [1, 1]].map(|pair| (power, pair))) {
+        let stack = Heavy::new(1, 1.0, 2f64.powi(power), 1.0);
+        let [dense, ..] = stacks(1, &stack.masses, 0);
+        let given = DVector::from_row_slice(&stack.given);
+        let problem = JointedProblem::new(1, vec![kinds[lower], kinds[upper]], dense.dense().clone(), given).unwrap();
+        let problem = problem.law(Law::Frictionless, vec![0.0; 2]).unwrap();
+        for part in [0.0, 1e-6, 3e-5, 1e-3, 1.0, -1e-6, -3e-5, -1e-3] {
+            let load = stack.loads[0] + part * stack.fastest();
+            let y = moved(&stack.masses, &[load, stack.loads[1]]);
+            let velocity = DVector::from_fn(2, |i, _| Scalar::to_f64(&(y[i].clone() + exact(stack.given[i]))));
+            let accepts = |velocity: &DVector<f64>| {
+                let solution = Solution::new("by hand", DVector::from_row_slice(&[load, stack.loads[1]]), velocity.clone(), 0);
+                jointed_residuals(&problem, &solution).unwrap().is_solution(CERTIFY)
+            };
+            let off = stack.off(load) / stack.fastest();
+            if off < 0.4e-5 {
+                // a joint whose own impulse moves it is held against V, not 10³ V
+                assert!(off > 0.4e-8 || accepts(&velocity), "2^{power} {lower} {upper}: {off:e}");
+                assert!(!accepts(&velocity.add_scalar(3e-5 * stack.fastest())), "2^{power} {lower} {upper}: a stored velocity");
+                right += usize::from(off < 0.4e-8);
+            } else if off > 2.1e-5 {
+                assert!(!accepts(&velocity), "2^{power} {lower} {upper}: {off:e}");
+                wrong += 1;
+            }
+        }
+    }
+    assert!(right > 100 && wrong > 300, "{right} {wrong}");
+}

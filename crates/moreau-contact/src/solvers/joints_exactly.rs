@@ -1,0 +1,112 @@
+//! Whether a problem with joints has a solution, decided of its own numbers: what floating-point elimination leaves of it is rounded.
+//!
+//! ```text
+//!     Ŵ = W_uu − W_ub A⁻¹ W_bu ,   q̂ = q_u − W_ub A⁻¹ q_b ,   A = W_bb + R_bb        in fractions, W = H M̂⁻¹ Hᵀ where they are known
+//! ```
+//! Where the law makes of Ŵ and q̂ a small linear complementarity problem, all of its complementary cones are looked at. Otherwise a witness
+//! is looked for that refutes all impulses, those of the joints among them.
+
+use super::enumeration::reason;
+use super::linear_form::Form;
+use crate::certificate::complementary_cones::some_solution;
+use crate::certificate::jointed_proof::infeasible_jointed;
+use crate::certificate::true_operator::operator;
+use crate::problem::{ByRows, ContactProblem, JointedProblem, Lcp};
+use crate::tolerance::complementarity::SEARCHED_ROWS;
+use crate::tolerance::joints::EXACT_ROWS;
+use moreau_exact::scalar::{Rational, exact};
+use nalgebra::{DMatrix, DVector};
+
+/// What is proved of a problem.
+pub(super) enum Decided {
+    /// There is no solution, and why.
+    None(String),
+    /// There is one.
+    Some,
+    Nothing,
+}
+
+/// What is proved of a problem whose contacts are these once its joints are eliminated.
+pub(super) fn decided(problem: &JointedProblem, contacts: &ContactProblem) -> Decided {
+    if let Some(lcp) = lcp(problem, contacts) {
+        match some_solution(&lcp) {
+            Ok(None) => return Decided::None(reason(&lcp)),
+            Ok(Some(_)) => return Decided::Some,
+            Err(_) => {}
+        }
+    }
+    match infeasible_jointed(problem) {
+        Ok(Some(found)) => {
+            let entries = found.witness.iter().enumerate().filter(|(_, p)| !p.is_zero()).map(|(row, p)| format!("{row}: {p}"));
+            let entries = entries.collect::<Vec<_>>().join(", ");
+            Decided::None(format!("no solution exists: impulses p refute all others, with p by rows {{{entries}}} and 0 elsewhere"))
+        }
+        _ => Decided::Nothing,
+    }
+}
+
+/// The contacts as a linear complementarity problem in fractions; `None` where they are none, are many, or no elimination leaves them.
+fn lcp(problem: &JointedProblem, contacts: &ContactProblem) -> Option<Lcp<Rational>> {
+    let form = Form::of(contacts, "").ok().filter(|form| form.unknowns(contacts) <= SEARCHED_ROWS)?;
+    let (w, given) = left(problem)?;
+    let mut all = contacts.dense().map(exact);
+    // rows beside limits move nothing else, and stay
+    let place = problem.spread(&DVector::from_fn(problem.rows(), |row, _| row as f64 + 1.0)).map(|row| row as usize);
+    let own: Vec<(usize, usize)> = place.iter().enumerate().filter(|(_, row)| **row > 0).map(|(at, row)| (at, row - 1)).collect();
+    let mut velocity = DVector::from_element(contacts.rows(), Rational::ZERO);
+    for (at, row) in &own {
+        velocity[*at] = given[*row].clone();
+        own.iter().for_each(|(beside, column)| all[(*at, *beside)] = w[(*row, *column)].clone());
+    }
+    Some(form.exact_lcp_of(contacts, all, &velocity))
+}
+
+/// W and q of all rows once the bilateral ones are eliminated, whose own mean nothing then; `None` where some of them depend on others and
+/// yet ask something of the contacts, or some of their impulses are free and move them.
+fn left(problem: &JointedProblem) -> Option<(DMatrix<Rational>, DVector<Rational>)> {
+    let size = problem.rows();
+    let mut w = whole(problem)?;
+    let mut q = problem.free_velocity().map(exact) + problem.shifts().map(exact);
+    let mut rows: Vec<usize> = problem.bilateral().into_iter().flat_map(|k| problem.rows_of(k)).collect();
+    let (mut columns, mut standing): (Vec<usize>, Vec<usize>) = (rows.clone(), (0..size).collect());
+    rows.iter().for_each(|row| w[(*row, *row)] += exact(problem.softnesses()[*row]));
+    while let Some((row, column)) = pivot(&w, &rows, &columns) {
+        [&mut rows, &mut standing].into_iter().for_each(|list| list.retain(|other| *other != row));
+        columns.retain(|other| *other != column);
+        let beside: Vec<usize> = (0..size).filter(|other| !w[(row, *other)].is_zero()).collect();
+        for below in standing.iter().copied() {
+            let factor = &w[(below, column)] / &w[(row, column)];
+            if !factor.is_zero() {
+                beside.iter().for_each(|other| w[(below, *other)] = &w[(below, *other)] - &factor * &w[(row, *other)]);
+                q[below] = &q[below] - &factor * &q[row];
+            }
+        }
+    }
+    let asks = |row: &usize| !q[*row].is_zero() || w.row(*row).iter().any(|entry| !entry.is_zero());
+    let moves = |column: &usize| standing.iter().any(|row| !w[(*row, *column)].is_zero());
+    (!rows.iter().any(asks) && !columns.iter().any(moves)).then_some((w, q))
+}
+
+/// The first entry of these rows and columns that is not zero.
+fn pivot(w: &DMatrix<Rational>, rows: &[usize], columns: &[usize]) -> Option<(usize, usize)> {
+    rows.iter().flat_map(|row| columns.iter().map(|column| (*row, *column))).find(|place| !w[*place].is_zero())
+}
+
+/// W of all rows, of mass and Jacobian where they are known.
+fn whole(problem: &JointedProblem) -> Option<DMatrix<Rational>> {
+    if problem.rows() > EXACT_ROWS {
+        return None;
+    }
+    let rows = ByRows::new(problem).ok()?;
+    let all = operator(rows.contacts()).ok()?;
+    let own: Vec<(usize, usize)> = (0..all.nrows()).filter_map(|at| Some((rows.row(at)?, at))).collect();
+    let mut w = DMatrix::from_element(problem.rows(), problem.rows(), Rational::ZERO);
+    for (row, at) in &own {
+        own.iter().for_each(|(column, beside)| w[(*row, *column)] = all[(*at, *beside)].clone());
+    }
+    Some(w)
+}
+
+#[cfg(test)]
+#[path = "joints_exactly_tests.rs"]
+mod tests;
