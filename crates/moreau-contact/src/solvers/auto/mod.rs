@@ -27,7 +27,8 @@ use stages::{QUICK, THOROUGH, left_out};
 /// | many contacts, of which most do not meet | all that follows with W by blocks, however it is stored |
 /// | many contacts, or a few at which all else failed | each island of contacts that meet by itself |
 /// | a warm start of many contacts that is no solution any more | a few plain sweeps where they close, a few steps of Newton from there |
-/// | the same of more than a hundred, fewer rows for each velocity | plain sweeps and proximal points in turn, ever more of the former |
+/// | the same of more than a hundred, fewer rows for each velocity | measured sweeps, and a few steps of Newton |
+/// | the same, where those do not end it | plain sweeps and proximal points in turn, ever more of the former |
 /// | up to 12 contacts without friction | Newton-min or Lemke's path on the stack |
 /// | up to 12 contacts under Coulomb's law | a few sweeps and Newton, on the stack |
 /// | soft contacts | Newton on Gauss's principle |
