@@ -122,12 +122,16 @@ impl<'a> Joints<'a> {
         if self.fastest > 0.0 { self.fastest * HIDDEN } else { f64::INFINITY }
     }
 
+    /// Whether so much rounding hides more than it may; what is no number does, too.
+    fn hides(&self, floor: f64) -> bool {
+        floor.is_nan() || floor > self.hidden()
+    }
+
     /// Whether rounding hides more than it may of y at joint k.
     fn is_doubtful(&self, k: usize) -> bool {
         let rows = self.problem.rows_of(k);
         let [floors, unrounded] = [&self.floors, &self.unrounded].map(|all| all.rows(rows.start, rows.len()));
-        // what is no number is doubtful, too
-        !((floors - unrounded).norm() <= self.hidden())
+        self.hides((floors - unrounded).norm())
     }
 
     /// The velocity of joint k, of this y or with twice the digits.
@@ -156,8 +160,7 @@ impl<'a> Joints<'a> {
     fn part(&self, k: usize, value: f64) -> Part {
         let is_doubtful = self.is_doubtful(k);
         let floor = self.norm(k, if is_doubtful { &self.sharp()[1] } else { &self.floors });
-        let hides = is_doubtful && !(floor <= self.hidden());
-        let value = if hides { moreau_exact::number::larger(value, floor) } else { value };
+        let value = if is_doubtful && self.hides(floor) { moreau_exact::number::larger(value, floor) } else { value };
         Part { value, scale: self.scale(k), floor: floor.min(self.hidden()) }
     }
 }
