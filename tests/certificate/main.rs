@@ -1,7 +1,7 @@
 //! The certificate against a family of contact problems with rational answers, by a second derivation of its rule.
 //!
-//! A contact k with rows (n, t) has y = W r + q + R r, q = u_free + shift. With ε = 2⁻⁵², N the rows of the contacts that W joins with k, k among them,
-//! m = 2N + 8 operations a row and γ = mε/(1 − mε):
+//! A contact k with rows (n, t) has y = W r + q + R r, q = u_free + shift. With ε = 2⁻⁵², N the rows of the contacts that W joins
+//! with k, k among them, m = 2N + 8 operations a row and γ = mε/(1 − mε):
 //!
 //! ```text
 //!     ρ_n = 1/(W_nn + R_nn) ,   ρ_t = rows(t)/tr(W_tt + R_tt)                                              [kg]

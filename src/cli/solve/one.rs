@@ -49,16 +49,19 @@ pub fn solved(
     start: Option<&DVector<f64>>,
 ) -> Result<Outcome> {
     posed::require_memory(&problem).map_err(|error| error.in_file(file))?;
-    let (answer, seen) = arguments.tolerance.within_time(|interrupt| watched(interrupt, || posed::solve(&problem, solver, start)));
-    let solution = match answer.map_err(|error| error.in_file(file)) {
-        Ok(solution) => solution,
+    let answered = || {
+        let solution = posed::solve(&problem, solver, start).map_err(|error| error.in_file(file))?;
+        Ok(if arguments.least_norm { smallest(&problem, solution, file) } else { Ok((solution, None)) })
+    };
+    let (answer, seen) = arguments.tolerance.within_time(|interrupt| watched(interrupt, answered));
+    let (mut solution, not_least_norm) = match answer {
+        Ok(smallest) => smallest?,
         Err(error) => {
             // what is refused as it stands has its own message
             let proof = NoAnswer::of(&error).filter(|_| !seen.interrupted).and_then(|_| posed::refuted(&problem));
             return Ok(Outcome::None { error, proof, interrupted: seen.interrupted });
         }
     };
-    let (mut solution, not_least_norm) = if arguments.least_norm { smallest(&problem, solution, file)? } else { (solution, None) };
     solution.keys = posed::keys(&problem);
     let residuals = posed::judge(&problem, &solution)?;
     let exhausted = seen.interrupted || solver.iteration_limit().is_some_and(|most| solution.iterations >= most);

@@ -96,7 +96,8 @@ impl<'a> Joints<'a> {
         of(&self.data).max(of(&self.pushed).min(JAMMED * self.fastest)).max(own.min(self.fastest))
     }
 
-    /// y of all rows with twice the digits, and its rounding ε|y| + γ² of its terms \[m/s\].
+    /// y of all rows with twice the digits, and its rounding ε|y| + γ² of its terms, or γ of them where W was made of mass and Jacobian, so
+    /// that its entries are rounded themselves \[m/s\].
     fn sharp(&self) -> &[DVector<f64>; 2] {
         self.sharp.get_or_init(|| {
             let (problem, softnesses) = (self.problem, self.problem.softnesses().as_slice());
@@ -107,7 +108,9 @@ impl<'a> Joints<'a> {
                 sums.subtract(problem.delassus().column(row).as_slice(), &-r);
             }
             let y = DVector::from_vec(sums.values());
-            let floors = y.abs() * EPSILON + self.floors.component_mul(&self.gammas);
+            let is_made = problem.dynamics().is_some();
+            let of_terms = if is_made { self.floors.clone() } else { self.floors.component_mul(&self.gammas) };
+            let floors = y.abs() * EPSILON + of_terms;
             [y, floors]
         })
     }
@@ -155,8 +158,8 @@ impl<'a> Joints<'a> {
         all.rows(rows.start, rows.len()).norm()
     }
 
-    /// A velocity of joint k with its scale and its floor; a floor that even with twice the digits hides more of V than it may is a residual
-    /// itself.
+    /// A velocity of joint k with its scale and its floor; a floor that even with twice the digits hides more of V than it may is a
+    /// residual itself.
     fn part(&self, k: usize, value: f64) -> Part {
         let is_doubtful = self.is_doubtful(k);
         let floor = self.norm(k, if is_doubtful { &self.sharp()[1] } else { &self.floors });

@@ -5,10 +5,10 @@ use super::super::joints::jointed_residuals;
 use super::super::residuals;
 use super::super::scales::Scales;
 use crate::operator::{BlockRows, MatrixFree, Operator};
-use crate::problem::{ConstraintKind, ContactProblem, JointedProblem, Law, Solution};
+use crate::problem::{ConstraintKind, ContactProblem, Dynamics, JointedProblem, Law, Solution};
 use crate::tolerance::certificate::CERTIFY;
 use moreau_exact::scalar::{Rational, Scalar, exact};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, dmatrix, dvector};
 
 /// Bodies of these masses one on the other, and each of `apart` bodies of 1 kg alone on the floor; W by bodies, by blocks and dense.
 fn stacks(rows: usize, masses: &[f64], apart: usize) -> [Operator; 3] {
@@ -198,4 +198,68 @@ fn beside_joints_answers_are_accepted_or_refused_by_what_they_are_too() {
         }
     }
     assert!(right > 100 && wrong > 300, "{right} {wrong}");
+}
+
+/// A block of 7·2⁴⁴ + 1 kg on one of 7 kg: the entries of W = H M⁻¹ Hᵀ are rounded, and that is all of y of these impulses. An answer that
+/// is wrong by 3·10⁻³ of V would be right of the rounded W.
+#[test]
+fn where_w_was_made_of_mass_and_jacobian_its_own_rounding_excuses_nothing() {
+    let (mass, jacobian) = (dmatrix![7.0, 0.0; 0.0, 123_145_302_310_913.0], dmatrix![1.0, 0.0; -1.0, 1.0]);
+    let w = crate::contact::delassus::delassus(&mass, &jacobian).unwrap();
+    let [right, wrong] = [[246_290_604_621_833.0, 246_290_604_621_826.0], [245_930_355_078_259.34, 245_930_355_078_252.34]];
+    let accepts = |problem: &ContactProblem, impulse: [f64; 2]| {
+        let solution = Solution::new("by hand", DVector::from_row_slice(&impulse), DVector::zeros(2), 0);
+        residuals(problem, &solution).unwrap().is_solution(CERTIFY)
+    };
+    let given = || ContactProblem::new(w.clone(), dvector![-1.0, -1.0]).law(Law::Frictionless).rows_per_contact(1);
+    let made = given().dynamics(Dynamics { mass: mass.clone(), jacobian: jacobian.clone() }).build().unwrap();
+    assert!(!accepts(&made, wrong));
+    let mut rows = BlockRows::new(1, [1, 1]).unwrap();
+    rows.push(&[(0, &[1.0])]).unwrap();
+    rows.push(&[(0, &[-1.0]), (1, &[1.0])]).unwrap();
+    let free = MatrixFree::new(&[dmatrix![7.0], dmatrix![123_145_302_310_913.0]], rows).unwrap();
+    let bodies = given().delassus(free).build().unwrap();
+    assert!(accepts(&bodies, right) && !accepts(&bodies, wrong), "where W is never formed it is known which is right");
+    assert!(accepts(&given().build().unwrap(), wrong), "W alone is another problem");
+
+    let kinds = vec![ConstraintKind::Contact, ConstraintKind::Bilateral { rows: 1 }];
+    let joined = JointedProblem::new(1, kinds, w.clone(), dvector![-1.0, -1.0]).unwrap().law(Law::Frictionless, vec![0.0; 2]).unwrap();
+    let accepts = |problem: &JointedProblem| {
+        let solution = Solution::new("by hand", DVector::from_row_slice(&wrong), DVector::zeros(2), 0);
+        jointed_residuals(problem, &solution).unwrap().is_solution(CERTIFY)
+    };
+    assert!(accepts(&joined) && !accepts(&joined.made_of(Some(Dynamics { mass, jacobian })).unwrap()), "beside joints, too");
+}
+
+/// M = [[1, 1 − e], [1 − e, 1]] and H = (1, −½): W is of the order of 1/e, and factors of M lose 1/e of its digits.
+#[test]
+fn a_mass_that_is_nearly_singular_hides_what_its_factors_lose() {
+    let (mut right, mut wrong) = (0, 0);
+    for power in 4..=48 {
+        let off = 1.0 - 2f64.powi(-power) / 3.0;
+        let mass = dmatrix![1.0, off; off, 1.0];
+        let mut rows = BlockRows::new(1, [2]).unwrap();
+        rows.push(&[(0, &[1.0, -0.5])]).unwrap();
+        let free = MatrixFree::new(std::slice::from_ref(&mass), rows).unwrap();
+        let problem = ContactProblem::new(free, dvector![-1.0]).law(Law::Frictionless).rows_per_contact(1).build().unwrap();
+        let [row, half, other] = [1.0, -0.5, off].map(exact);
+        let one: Rational = exact(1.0);
+        let determinant = one.clone() - other.clone() * other.clone();
+        let w = (row.clone() * row + half.clone() * half.clone() - exact(2.0) * half * other) / determinant;
+        let answer = Scalar::to_f64(&(one.clone() / w.clone()));
+        for part in [0.0, 1e-6, 1e-4, 1e-2, 0.5, -1e-4, -1e-2] {
+            let impulse = answer * (1.0 + part);
+            let y = Scalar::to_f64(&(w.clone() * exact(impulse) - one.clone()));
+            let solution = Solution::new("by hand", dvector![impulse], dvector![y], 0);
+            let accepted = residuals(&problem, &solution).unwrap().is_solution(CERTIFY);
+            if part == 0.0 {
+                assert!(accepted || power > 20, "2^-{power}");
+                right += usize::from(accepted);
+            } else if y.abs() > 2.1e-5 {
+                assert!(!accepted, "2^-{power}: {y:e}");
+                wrong += 1;
+            }
+        }
+    }
+    assert!(right > 17 && wrong > 200, "{right} {wrong}");
 }

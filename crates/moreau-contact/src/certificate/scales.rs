@@ -298,8 +298,12 @@ impl Scales {
         }
     }
 
-    /// y of doubled precision and its rounding; `None` where that is not known.
+    /// y of doubled precision and its rounding; `None` where that is not known, or W is stored and was made of mass and Jacobian: then its
+    /// entries are rounded themselves, by as much as the sum is.
     fn sharp(&self, problem: &ContactProblem, impulse: &[f64]) -> Option<[Vec<f64>; 2]> {
+        if problem.knows_rows() && problem.delassus().matrix_free().is_none() {
+            return None;
+        }
         let (gammas, softness) = (problem.rounding(), problem.row_compliances());
         let mut sums = DoubledResiduals::new(problem.free_velocity().as_slice());
         for (row, (shift, r)) in problem.shift().iter().zip(impulse).enumerate() {

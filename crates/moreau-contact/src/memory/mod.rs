@@ -33,6 +33,7 @@ pub fn set_limit_of_command(bytes: u64) {
 }
 
 /// What raises the limit, as a message names it.
+#[cfg(feature = "files")]
 pub(crate) fn raised_by() -> &'static str {
     if IS_OPTION.load(Relaxed) { OPTION } else { "`memory::set_limit`" }
 }

@@ -11,7 +11,7 @@
 use super::mass_block::Factor;
 use super::{BlockRows, BlockSparse, ContactOperator};
 use crate::memory;
-use crate::tolerance::certificate::VELOCITIES;
+use crate::tolerance::certificate::{VELOCITIES, terms_of_mass};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DMatrixView};
 use std::collections::HashMap;
@@ -76,7 +76,7 @@ impl MatrixFree {
             return Err(Error::invalid("jacobian", format!("has the entry {entry}"), "use finite numbers"));
         }
         let rows = jacobian.rows_per_contact();
-        let terms = terms(&jacobian);
+        let terms = terms(&jacobian, &cancelling(masses, &factors));
         let mut made = MatrixFree {
             masses: kept,
             mass_starts,
@@ -304,9 +304,14 @@ impl MatrixFree {
     }
 }
 
+/// Of every body what its mass loses when it is factored, in terms.
+fn cancelling(masses: &[DMatrix<f64>], factors: &[Factor]) -> Vec<usize> {
+    masses.iter().zip(factors).map(|(mass, factor)| terms_of_mass(mass, factor.pivots())).collect()
+}
+
 /// Of every contact the rows of the contacts that touch one of its bodies, each contact once where none touches more than two bodies, and
-/// what velocities beyond those of two bodies in space round.
-fn terms(jacobian: &BlockRows) -> Vec<usize> {
+/// what velocities beyond those of two bodies in space round, and a mass that is nearly singular.
+fn terms(jacobian: &BlockRows, cancelling: &[usize]) -> Vec<usize> {
     let (mut touching, mut both) = (vec![0; jacobian.body_count()], HashMap::<[u32; 2], usize>::new());
     for k in 0..jacobian.contacts() {
         let bodies = jacobian.bodies(k);
@@ -320,7 +325,8 @@ fn terms(jacobian: &BlockRows) -> Vec<usize> {
         let twice = bodies.try_into().ok().and_then(|pair: [u32; 2]| both.get(&pair)).copied().unwrap_or(0);
         let joined = bodies.iter().map(|body| touching[*body as usize]).sum::<usize>() - twice;
         let velocities: usize = bodies.iter().map(|body| jacobian.velocities(*body as usize).len()).sum();
-        jacobian.rows_per_contact() * joined.max(1) + velocities.saturating_sub(VELOCITIES).div_ceil(4)
+        let lost = bodies.iter().map(|body| cancelling[*body as usize]).max().unwrap_or(0);
+        jacobian.rows_per_contact() * joined.max(1) + velocities.saturating_sub(VELOCITIES).div_ceil(4) + lost
     };
     (0..jacobian.contacts()).map(of).collect()
 }

@@ -120,14 +120,17 @@ impl<'a> System<'a> {
     /// A row of which no diagonal entry is left moves nothing, and its velocity is that of the others.
     fn require_agreement(&self, row: usize) -> Result<()> {
         if self.moves_something(row) {
-            let problem = "moves other rows although nothing is left of its W_ii: W is not positive semidefinite".to_string();
+            let problem = "moves other rows although nothing is left of its W_ii, by rounded numbers: then W is not positive semidefinite"
+                .to_string();
             return Err(self.invalid(row, problem, "correct `delassus`, or `mass` and `jacobian`"));
         }
         if self.velocity[row].abs() <= AGREES * self.terms[row] {
             return Ok(());
         }
         let size = significant(self.velocity[row].abs());
-        let asked = format!("depends on other bilateral rows and contradicts them by {size} m/s: no impulses hold them all");
+        let asked = format!(
+            "depends on other bilateral rows and contradicts them by {size} m/s, by rounded numbers: then no impulses hold them all"
+        );
         Err(self.invalid(row, asked, "leave one of the constraints out, or make `free_velocity` and `shift` agree"))
     }
 
@@ -212,8 +215,8 @@ fn of_all_rows(problem: &JointedProblem, left: &WithoutJoints, error: Error) -> 
 /// Solves a problem with joints by a solver for contacts, from the impulses of all rows `warm_start` if given.
 ///
 /// # Errors
-/// Those of [`WithoutJoints::new`] and of the solver; [`Error::Invalid`] if the warm start has another size. The failure `infeasible` is told
-/// where it is proved of the problem, not of what elimination in floating-point numbers left of it.
+/// Those of [`WithoutJoints::new`] and of the solver; [`Error::Invalid`] if the warm start has another size. The failure `infeasible` is
+/// told where it is proved of the problem, not of what elimination in floating-point numbers left of it.
 pub fn solve_jointed(problem: &JointedProblem, solver: &dyn ContactSolver, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
     if let Some(warm) = warm_start {
         problem.require_rows("warm_start", warm.len())?;

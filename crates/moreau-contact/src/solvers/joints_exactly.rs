@@ -3,8 +3,8 @@
 //! ```text
 //!     Ŵ = W_uu − W_ub A⁻¹ W_bu ,   q̂ = q_u − W_ub A⁻¹ q_b ,   A = W_bb + R_bb        in fractions, W = H M̂⁻¹ Hᵀ where they are known
 //! ```
-//! Where the law makes of Ŵ and q̂ a small linear complementarity problem, all of its complementary cones are looked at. Otherwise a witness
-//! is looked for that refutes all impulses, those of the joints among them.
+//! Where the law makes of Ŵ and q̂ a small linear complementarity problem, all of its complementary cones are looked at. Otherwise a
+//! witness is looked for that refutes all impulses, those of the joints among them.
 
 use super::enumeration::reason;
 use super::linear_form::Form;

@@ -40,8 +40,8 @@ fn drawn(seed: u64) -> JointedProblem {
     JointedProblem::new(1, kinds, w, free).unwrap().law(Law::Frictionless, vec![0.0; size]).unwrap()
 }
 
-/// Whether W as it is stored has a solution: of every choice of pressed contacts whether impulses of both signs at the rods and ≥ 0 at these
-/// contacts leave y = 0 at both and y ≥ 0 elsewhere. Nothing is eliminated.
+/// Whether W as it is stored has a solution: of every choice of pressed contacts whether impulses of both signs at the rods and ≥ 0 at
+/// these contacts leave y = 0 at both and y ≥ 0 elsewhere. Nothing is eliminated.
 fn has_solution(problem: &JointedProblem) -> bool {
     let (size, contacts) = (problem.rows(), problem.pushing().len());
     let w = problem.delassus().map(exact);

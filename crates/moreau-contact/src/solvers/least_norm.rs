@@ -9,6 +9,7 @@
 //! convex, so that its point of least norm is unique. How a table's load is shared among its legs, and how hard two fingers press, is
 //! chosen so. The dual function A r*·λ − ½‖P_C(Aᵀλ)‖² is concave, and Newton's steps go up along it.
 
+use super::watch;
 use crate::certificate::Judge;
 use crate::cones::projection_jacobian;
 use crate::cones::second_order::{project, tangential_norm};
@@ -63,8 +64,11 @@ pub fn least_norm(problem: &ContactProblem, solution: &Solution) -> Result<Solut
     let velocity = problem.velocity(&impulse);
     let found = Solution { impulse, velocity, iterations: solution.iterations + steps, beta: None, sigma: None, ..solution.clone() };
     if judge.look(problem, &found)?.relative() > CERTIFY {
-        let reason =
-            "found none with this velocity: rows are too nearly dependent, or the answer is too rough; use a smaller `--tolerance`";
+        let reason = if watch::is_over() {
+            "was ended before it had one with this velocity"
+        } else {
+            "found none with this velocity: rows are too nearly dependent, or the answer is too rough; use a smaller `--tolerance`"
+        };
         return Err(Error::breakdown(NAME, reason));
     }
     Ok(found)
@@ -139,6 +143,9 @@ fn dual_newton(a: &DMatrix<f64>, target: &DVector<f64>, allowed: &[Allowed], row
         (0..matrix.nrows()).for_each(|row| matrix[(row, row)] += softness);
         matrix.cholesky()
     };
+    if watch::is_over() {
+        return (DVector::zeros(a.nrows()), 0);
+    }
     let Some(start) = soft(a * a.transpose()) else { return (DVector::zeros(a.nrows()), 0) };
     let mut lambda = start.solve(target);
     let dual = |lambda: &DVector<f64>, r: &DVector<f64>| target.dot(lambda) - 0.5 * r.norm_squared();
@@ -152,10 +159,13 @@ fn dual_newton(a: &DMatrix<f64>, target: &DVector<f64>, allowed: &[Allowed], row
         if rest.norm() <= tolerance::ENDED * target.norm() {
             return (best.1, step);
         }
+        if watch::is_over() {
+            return (best.1, step);
+        }
         let Some(factor) = soft(&sloped * a.transpose()) else { return (best.1, step) };
         let (direction, value) = (factor.solve(&rest), dual(&lambda, &r));
         let (gain, mut length) = (rest.dot(&direction), 1.0);
-        loop {
+        while !watch::is_over() {
             let next = &lambda + &direction * length;
             let (next_r, next_sloped) = projected(a, &next, allowed, rows);
             if dual(&next, &next_r) >= value + tolerance::SHARE * length * gain || length < tolerance::SHORTEST {

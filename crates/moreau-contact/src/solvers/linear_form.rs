@@ -90,6 +90,9 @@ impl Form {
         if let Form::StewartTrinkle { .. } = self {
             return problem.stewart_trinkle_lcp();
         }
+        if self == Form::Normals {
+            return of_normals(problem);
+        }
         let (rows, unknowns) = (problem.rows(), self.unknowns(problem));
         let matrices = [(2, rows, rows), (2, rows, unknowns), (TABLEAUS, unknowns, unknowns)];
         let bytes = matrices.map(|(times, n, m)| memory::matrix(n, m).saturating_mul(times)).into_iter().fold(0, u128::saturating_add);
@@ -271,4 +274,20 @@ pub(super) fn on_support(lcp: &Lcp<f64>, support: &[bool]) -> Option<DVector<f64
     let mut z = DVector::zeros(lcp.size());
     members.iter().zip(values.iter()).for_each(|(&i, value)| z[i] = *value);
     Some(z)
+}
+/// M and q of the normal rows, entry by entry: no product of whole matrices.
+fn of_normals(problem: &ContactProblem) -> Result<Lcp<f64>> {
+    let (rows, contacts) = (problem.rows_per_contact(), problem.contacts());
+    let bytes = memory::matrix(contacts, contacts).saturating_mul(TABLEAUS);
+    memory::require("this problem as a linear complementarity problem", bytes)?;
+    let mut matrix = DMatrix::zeros(contacts, contacts);
+    let mut column = vec![0.0; problem.rows()];
+    for j in 0..contacts {
+        column.fill(0.0);
+        problem.add_column(j * rows, 1.0, &mut column);
+        matrix.column_mut(j).iter_mut().zip(column.iter().step_by(rows)).for_each(|(entry, w)| *entry = *w);
+        matrix[(j, j)] += problem.row_compliance(j * rows);
+    }
+    let given = |j: usize| problem.free_velocity()[j * rows] + problem.shift()[j * rows];
+    Ok(Lcp::new(matrix, DVector::from_fn(contacts, |j, _| given(j))))
 }

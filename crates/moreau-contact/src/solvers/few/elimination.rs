@@ -11,8 +11,8 @@ pub(super) struct Eliminated<const M: usize> {
 }
 
 /// Replaces b by the x with A x = b, of the first `size` rows and columns, and A by its factors; `None` if a pivot is zero or no number.
-/// Rows are exchanged, and zeros passed over. A group of columns is taken whole: in the first of them the row above is zero up to its pivot,
-/// so that the multipliers stay, which take the place of what they eliminate.
+/// Rows are exchanged, and zeros passed over. A group of columns is taken whole: in the first of them the row above is zero up to its
+/// pivot, so that the multipliers stay, which take the place of what they eliminate.
 pub(super) fn eliminate<const M: usize>(matrix: &mut [[f64; M]; M], x: &mut [f64; M], size: usize) -> Option<Eliminated<M>> {
     const { assert!(M.is_multiple_of(GROUP), "the last columns would be left out") };
     let mut found = Eliminated { exchanged: [0; M], least: f64::INFINITY };

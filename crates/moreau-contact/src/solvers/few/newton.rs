@@ -8,8 +8,8 @@
 //!     ‖z‖ > μ a             (1 − c P) d_t + c ρ_t P (A d)_t − μ ẑ d_n = μ r_n ẑ − r_t               slides
 //! ```
 //! The last line has (A d)_n = −y_n of the one above in it. η on the diagonal of the rows that ask for a velocity makes the system regular
-//! where several impulses give one velocity, as in [`nonsmooth_newton`](super::super::nonsmooth_newton). Where all stick and the pivots show
-//! that one impulse gives it, η is taken out of the answer again with the same factors: the step ends there.
+//! where several impulses give one velocity, as in [`nonsmooth_newton`](super::super::nonsmooth_newton). Where all stick and the pivots
+//! show that one impulse gives it, η is taken out of the answer again with the same factors: the step ends there.
 
 use super::contacts::{Contacts, Step};
 use super::elimination::{Eliminated, eliminate};

@@ -11,7 +11,8 @@
 //! ```text
 //!     |w_i| ≤ ½ γ S_i ,   S_i = |q_i| + Σ |M_ij| z_j ,   γ = mε/(1 − mε) ,   m = 2n + 8 ,      γ S_i ≤ ½ 10⁻⁵ max |q_j|,  j meets i
 //! ```
-//! with n the contacts j ≠ i of M_ij ≠ 0 and i itself. w rounds by at most (n + 2)ε/2 S here and by (n + 3)ε/2 S there, together less than the other half of γ S. So it is not asked.
+//! with n the contacts j ≠ i of M_ij ≠ 0 and i itself. w rounds by at most (n + 2)ε/2 S here and by (n + 3)ε/2 S there, together less
+//! than the other half of γ S. So it is not asked.
 
 use super::elimination::eliminate;
 use super::parts::{MOST, answer, relative};
