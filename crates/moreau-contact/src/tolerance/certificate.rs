@@ -28,7 +28,8 @@ pub fn row_rounding(terms: usize) -> f64 {
 /// What a mass M = L D Lᵀ of n velocities that is nearly singular adds to the terms of a row. Scaled to ones on its diagonal, its least
 /// eigenvalue is at least 1/(e Π M_jj/D_j), for the others sum to less than n; M⁻¹ x of factors that are off by γ_n |L|D|Lᵀ| is then off by
 /// γ_n e n Π M_jj/D_j of its size. A product of up to 16 is among the halves of ε that [`row_rounding`] leaves to data: masses of bodies
-/// that lie askew have it. Derived.
+/// that lie askew have it.
+/// Derived.
 pub fn terms_of_mass(mass: &DMatrix<f64>, pivots: &[f64]) -> usize {
     let lost: f64 = pivots.iter().enumerate().map(|(v, pivot)| mass[(v, v)] / pivot).product();
     if lost <= 16.0 { 0 } else { (lost * 3.0 * pivots.len().pow(2) as f64).min(1.0 / EPSILON) as usize }
