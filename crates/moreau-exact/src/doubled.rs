@@ -150,9 +150,10 @@ mod tests {
 
     #[test]
     fn a_part_of_a_column_is_taken_from_its_rows_and_both_halves_are_kept() {
+        let small = 2f64.powi(-70);
         let mut sums = DoubledResiduals::new(&[1.0, 1.0, 1.0]);
-        sums.subtract_from(1, &[1e-20], &1.0);
-        sums.subtract_from(2, &[3.0], &-1e-20);
-        assert_eq!(sums.parts(), (vec![1.0; 3], vec![0.0, -1e-20, 3e-20]));
+        sums.subtract_from(1, &[small], &1.0);
+        sums.subtract_from(2, &[3.0], &-small);
+        assert_eq!(sums.parts(), (vec![1.0; 3], vec![0.0, -small, 3.0 * small]));
     }
 }
