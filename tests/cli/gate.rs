@@ -44,6 +44,16 @@ fn every_output_is_written_and_read_back() {
 }
 
 #[test]
+fn a_baseline_that_has_nothing_of_the_run_is_refused_before_it() {
+    let folder = Folder::new("gate-other-baseline");
+    let baseline = folder.path("b.toml");
+    assert_eq!(gate(&["--save-baseline", &baseline], "moreau-jean").code, 0);
+    let other = |words: &[&str]| moreau(&[&["gate", "--baseline", &baseline][..], words, &["--", "/nowhere/engine"]].concat());
+    other(&["--steps", "1/60,0.001", "--only", "incline/"]).is_refused(&["b.toml", "baseline.check", "none of the checks of this run"]);
+    other(&["--steps", "0.1", "--only", "flight/"]).is_refused(&["b.toml", "baseline.sweep", "0.1"]);
+}
+
+#[test]
 fn a_value_that_got_worse_stops_the_build_and_names_the_check() {
     let folder = Folder::new("gate-regression");
     let baseline = folder.path("b.toml");

@@ -265,11 +265,7 @@ impl Baseline {
             let problem = format!("is `{}`, but the run is of `{}`", self.engine, report.engine.name);
             return Err(Error::invalid("baseline.engine", problem, "compare an engine with its own baseline"));
         }
-        let same_sweep = self.sweep.len() == report.sweep.len() && self.sweep.iter().all(|h| report.sweep.contains(h));
-        if !same_sweep {
-            let problem = format!("has the time steps {:?}, but the run has {:?}", self.sweep, report.sweep);
-            return Err(Error::invalid("baseline.sweep", problem, "run with the same `--quick` or `--steps`"));
-        }
+        self.require_sweep(&report.sweep)?;
         let mut changes = Vec::new();
         for now in &report.checks {
             let found = match self.checks.iter().find(|check| check.name == now.check) {
@@ -288,6 +284,28 @@ impl Baseline {
             what: "is in the baseline, but this gate has no such check: make a new baseline".into(),
         }));
         Ok(changes)
+    }
+
+    /// Refuses to be compared with a run of these time steps and checks, before it is made: of other steps, or where it has no such check, so
+    /// that nothing would ever be worse.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] that names the field.
+    pub fn require_run(&self, sweep: &[f64], checks: &[&str]) -> Result<()> {
+        self.require_sweep(sweep)?;
+        if checks.iter().any(|name| self.checks.iter().any(|then| then.name == **name)) {
+            return Ok(());
+        }
+        let problem = format!("has none of the checks of this run, {} in number", checks.len());
+        Err(Error::invalid("baseline.check", problem, "run with the `--only` that it was made with, or make a new one"))
+    }
+
+    fn require_sweep(&self, sweep: &[f64]) -> Result<()> {
+        if self.sweep.len() == sweep.len() && self.sweep.iter().all(|h| sweep.contains(h)) {
+            return Ok(());
+        }
+        let problem = format!("has the time steps {:?}, but the run has {sweep:?}", self.sweep);
+        Err(Error::invalid("baseline.sweep", problem, "run with the same `--quick` or `--steps`"))
     }
 
     /// What else differs than the engine's answers: its version, its options. Nothing that keeps a run from being compared.

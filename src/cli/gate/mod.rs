@@ -14,7 +14,7 @@ use crate::files::write_together;
 use crate::gate::baseline::{Baseline, Change, ChangeKind};
 use crate::gate::conformance;
 use crate::gate::runner::{self, Plan};
-use crate::gate::{Refusal, Report, Verdict};
+use crate::gate::{Check, Refusal, Report, Verdict};
 use crate::report::gate::{junit, page, text};
 use crate::report::json::pretty;
 use crate::{Error, Result};
@@ -49,7 +49,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     }
     arguments.keep_files()?;
     let required = required(arguments.require)?;
-    let baseline = arguments.baseline.as_deref().map(Baseline::read).transpose()?;
+    let baseline = arguments.baseline.as_deref().map(|file| baseline(file, &sweep, &checks)).transpose()?;
     let bar = progress();
     let today = Zoned::now().date();
     let plan = Plan {
@@ -94,6 +94,14 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         None => !report.is_bad(),
     };
     Ok((is_enough(&report, required) && is_fine).into())
+}
+
+/// The baseline, if there is something in it to be compared with.
+fn baseline(file: &Path, sweep: &[f64], checks: &[&Check]) -> Result<Baseline> {
+    let baseline = Baseline::read(file)?;
+    let names: Vec<&str> = checks.iter().map(|check| check.name).collect();
+    baseline.require_run(sweep, &names).map_err(|error| error.in_file(file))?;
+    Ok(baseline)
 }
 
 /// What is kept of a run while it goes on.
