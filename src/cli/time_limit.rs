@@ -2,7 +2,7 @@
 
 use crate::number::significant;
 use crate::solvers::watch::Interrupt;
-use crate::tolerance::cli::LONGEST_SECONDS;
+use crate::tolerance::cli::{LONGEST_SECONDS, SHORTEST_SECONDS};
 use crate::{Error, Result};
 use std::sync::mpsc;
 use std::time::Duration;
@@ -21,10 +21,14 @@ pub fn check(limit: Option<f64>) -> Result<()> {
     }
 }
 
-/// Runs `work`, whose interrupt is given when the time \[s\] is over.
+/// Runs `work`, whose interrupt is given when the time \[s\] is over; before it begins where that is no time at all.
 pub fn within<T>(limit: Option<f64>, work: impl FnOnce(&Interrupt) -> T) -> T {
     let interrupt = Interrupt::default();
     let Some(limit) = limit else { return work(&interrupt) };
+    if limit <= SHORTEST_SECONDS {
+        interrupt.now();
+        return work(&interrupt);
+    }
     std::thread::scope(|scope| {
         let (done, ended) = mpsc::channel::<()>();
         let clock = interrupt.clone();

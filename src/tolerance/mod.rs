@@ -281,6 +281,10 @@ pub mod cli {
     /// Set.
     pub const LONGEST_SECONDS: f64 = 1e9;
 
+    /// A time limit that is over before any work begins \[s\]: a thread that is to end it takes longer to begin.
+    /// Set.
+    pub const SHORTEST_SECONDS: f64 = 1e-6;
+
     /// Most steps `simulate` records: a body takes about 200 bytes per step in memory and 300 in a file, so that a scene
     /// of a few bodies stays near a gigabyte.
     /// Set.
