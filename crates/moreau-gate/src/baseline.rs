@@ -286,8 +286,8 @@ impl Baseline {
         Ok(changes)
     }
 
-    /// Refuses to be compared with a run of these time steps and checks, before it is made: of other steps, or where it has no such check, so
-    /// that nothing would ever be worse.
+    /// Refuses to be compared with a run of these time steps and checks, before it is made: of other steps, or where it has no such check,
+    /// so that nothing would ever be worse.
     ///
     /// # Errors
     /// [`Error::Invalid`] that names the field.
