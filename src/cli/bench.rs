@@ -221,8 +221,8 @@ fn measured(problem: &Posed, name: &str, solver: &dyn ContactSolver, arguments: 
         failure: None,
     };
     match answer {
-        Ok(solution) => {
-            judge(problem, &solution, arguments, &mut run)?;
+        Ok(mut solution) => {
+            judge(problem, &mut solution, arguments, &mut run)?;
             Ok((run, Some(solution)))
         }
         Err(error @ Error::Solver { .. }) => {
@@ -234,9 +234,9 @@ fn measured(problem: &Posed, name: &str, solver: &dyn ContactSolver, arguments: 
 }
 
 /// What the certificate says of the answer.
-fn judge(problem: &Posed, solution: &Solution, arguments: &Arguments, run: &mut Run) -> Result<()> {
+fn judge(problem: &Posed, solution: &mut Solution, arguments: &Arguments, run: &mut Run) -> Result<()> {
     let start = Instant::now();
-    let judged = posed::judge(problem, solution)?;
+    let judged = posed::judge_own(problem, solution, arguments.tolerance.accepted())?;
     run.certifying = Some(start.elapsed().as_secs_f64());
     run.iterations = solution.iterations;
     run.relative = Some(judged.relative());

@@ -1,6 +1,7 @@
 //! What a file poses, contacts alone or contacts with joints: solved, judged and shown in the same way.
 
-use crate::certificate::joints::{JointedResiduals, jointed_residuals};
+use crate::certificate::Judge;
+use crate::certificate::joints::{self, JointedResiduals, jointed_residuals};
 use crate::certificate::natural_map::of_unit_mass;
 use crate::certificate::residuals;
 use crate::problem::{ContactKey, ContactProblem, Posed, Solution};
@@ -109,6 +110,17 @@ pub fn judge(posed: &Posed, solution: &Solution) -> Result<JointedResiduals> {
         Posed::Contacts(problem) => residuals(problem, solution).map(|contacts| JointedResiduals { contacts, bilateral: None }),
         Posed::Jointed(problem) => jointed_residuals(problem, solution),
     }
+}
+
+/// The residuals of what a solver answered. Where its u is not right to the last digits it is summed again with twice of them.
+pub fn judge_own(posed: &Posed, solution: &mut Solution, tolerance: f64) -> Result<JointedResiduals> {
+    let judged = judge(posed, solution)?;
+    let is_sharp = !judged.is_solution(tolerance)
+        && match posed {
+            Posed::Contacts(problem) => Judge::default().sharpen(problem, solution)?,
+            Posed::Jointed(problem) => joints::sharpen(problem, solution)?,
+        };
+    if is_sharp { judge(posed, solution) } else { Ok(judged) }
 }
 
 /// The answer of a file.

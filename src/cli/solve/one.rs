@@ -63,7 +63,7 @@ pub fn solved(
         }
     };
     solution.keys = posed::keys(&problem);
-    let residuals = posed::judge(&problem, &solution)?;
+    let residuals = posed::judge_own(&problem, &mut solution, arguments.tolerance.accepted())?;
     let exhausted = seen.interrupted || solver.iteration_limit().is_some_and(|most| solution.iterations >= most);
     // what ends without a look on the way has its answer looked at
     let looks = if seen.history.is_empty() { vec![residuals.relative()] } else { seen.history };

@@ -10,8 +10,8 @@
 
 use super::part::Part;
 use super::semidefinite::indefiniteness;
-use crate::operator::Operator;
-use crate::problem::{ConstraintKind, JointedProblem};
+use crate::operator::{ContactOperator, MatrixFree, Operator, Sparse, SparseDynamics};
+use crate::problem::{ConstraintKind, Dynamics, JointedProblem};
 use crate::tolerance::certificate::{HIDDEN, JAMMED, row_rounding};
 use moreau_exact::doubled::DoubledResiduals;
 use moreau_exact::tolerance::EPSILON;
@@ -31,6 +31,8 @@ pub(super) struct Joints<'a> {
     unrounded: DVector<f64>,
     /// γ of every row.
     gammas: DVector<f64>,
+    /// What W was made of, if it was.
+    made: Option<Made>,
     /// How far the W of all rows is from one of bodies; found when it is asked.
     strangeness: OnceCell<f64>,
     /// y with twice the digits, and its rounding; computed when it is asked.
@@ -43,10 +45,34 @@ pub(super) struct Joints<'a> {
     fastest: f64,
 }
 
+/// Mass and Jacobian that the W of all rows was formed of.
+#[derive(Debug)]
+struct Made {
+    /// W that is not formed; none where there is no room for it.
+    unformed: Option<MatrixFree>,
+    /// Whether forming it lost digits, for the mass is nearly singular.
+    loses_digits: bool,
+}
+
+impl Made {
+    fn of(Dynamics { mass, jacobian }: &Dynamics) -> Self {
+        match SparseDynamics::new(&Sparse::of(mass), &Sparse::of(jacobian), 1) {
+            Ok(dynamics) => Made { unformed: dynamics.matrix_free().ok(), loses_digits: dynamics.loses_digits() },
+            Err(_) => Made { unformed: None, loses_digits: true },
+        }
+    }
+}
+
 /// γ of every row of y: the entries of W that are zero round nothing.
-pub(super) fn gammas(problem: &JointedProblem) -> DVector<f64> {
-    let terms = |row: usize| problem.delassus().row(row).iter().filter(|w| **w != 0.0).count();
-    DVector::from_fn(problem.rows(), |row, _| row_rounding(terms(row)))
+fn gammas(problem: &JointedProblem, made: Option<&Made>) -> DVector<f64> {
+    let mut terms: Vec<usize> = match made {
+        Some(made) if made.loses_digits => vec![usize::MAX; problem.rows()],
+        _ => problem.delassus().row_iter().map(|row| row.iter().filter(|w| **w != 0.0).count()).collect(),
+    };
+    if let Some(free) = made.filter(|made| made.loses_digits).and_then(|made| made.unformed.as_ref()) {
+        free.write_terms(&mut terms);
+    }
+    DVector::from_iterator(terms.len(), terms.into_iter().map(row_rounding))
 }
 
 impl<'a> Joints<'a> {
@@ -56,12 +82,17 @@ impl<'a> Joints<'a> {
         let (pushing, mut pushes) = (problem.pushing(), DVector::zeros(problem.rows()));
         pushing.iter().flat_map(|k| problem.rows_of(*k)).for_each(|row| pushes[row] = impulse[row]);
         let (pushed, fastest) = (problem.delassus() * pushes, data.amax());
-        let gammas = gammas(problem);
+        let made = problem.dynamics().map(Made::of);
+        let gammas = gammas(problem, made.as_ref());
         let given = problem.free_velocity().abs() + problem.shifts().abs();
-        let moved = problem.delassus().abs() * impulse.abs() + problem.softnesses().component_mul(&impulse.abs());
+        let mut moved = problem.softnesses().component_mul(&impulse.abs());
+        match made.as_ref().filter(|made| made.loses_digits).and_then(|made| made.unformed.as_ref()) {
+            Some(free) => free.add_magnitudes(impulse.as_slice(), moved.as_mut_slice()),
+            None => moved += problem.delassus().abs() * impulse.abs(),
+        }
         let (floors, unrounded) = ((moved + &given).component_mul(&gammas), (given - data.abs()).component_mul(&gammas));
         let (strangeness, sharp) = (OnceCell::new(), OnceCell::new());
-        Joints { problem, impulse, pushing, floors, unrounded, gammas, strangeness, sharp, data, pushed, fastest }
+        Joints { problem, impulse, pushing, floors, unrounded, gammas, made, strangeness, sharp, data, pushed, fastest }
     }
 
     /// The joint that an impulse of contact `i` of the [`pushing`](JointedProblem::pushing) ones moves most, by what it is judged by.
@@ -96,8 +127,17 @@ impl<'a> Joints<'a> {
         of(&self.data).max(of(&self.pushed).min(JAMMED * self.fastest)).max(own.min(self.fastest))
     }
 
-    /// y of all rows with twice the digits, and its rounding ε|y| + γ² of its terms, or γ of them where W was made of mass and Jacobian, so
-    /// that its entries are rounded themselves \[m/s\].
+    /// The rounding of W r_b at given impulses of the joints, and of the velocities `given` beside it \[m/s\]; all that rounds, where
+    /// forming W lost digits.
+    pub fn rounding(&self, held: &DVector<f64>, given: DVector<f64>) -> DVector<f64> {
+        if self.made.as_ref().is_some_and(|made| made.loses_digits) {
+            return self.floors.clone();
+        }
+        (self.problem.delassus().abs() * held.abs() + given).component_mul(&self.gammas)
+    }
+
+    /// y of all rows with twice the digits, and its rounding ε|y| + γ² of its terms \[m/s\]: of W as it was given, or of the mass and
+    /// Jacobian that it was made of. Where there is no room for them the entries of W are rounded themselves, by γ of the terms.
     fn sharp(&self) -> &[DVector<f64>; 2] {
         self.sharp.get_or_init(|| {
             let (problem, softnesses) = (self.problem, self.problem.softnesses().as_slice());
@@ -105,11 +145,20 @@ impl<'a> Joints<'a> {
             for (row, (shift, r)) in problem.shifts().iter().zip(self.impulse).enumerate() {
                 sums.subtract_unit(row, &-shift);
                 sums.subtract_from(row, &softnesses[row..=row], &-r);
-                sums.subtract(problem.delassus().column(row).as_slice(), &-r);
+            }
+            let (r, gammas) = (self.impulse.as_slice(), self.gammas.as_slice());
+            let mut of_terms = self.floors.component_mul(&self.gammas);
+            let by_bodies = |made: &Made| made.unformed.as_ref().and_then(|free| free.add_doubled(r, gammas, &mut sums));
+            match self.made.as_ref().map(by_bodies) {
+                Some(Some(off)) => of_terms += DVector::from_vec(off),
+                not_by_bodies => {
+                    problem.delassus().column_iter().zip(r).for_each(|(w, r)| sums.subtract(w.clone_owned().as_slice(), &-r));
+                    if not_by_bodies.is_some() {
+                        of_terms.copy_from(&self.floors);
+                    }
+                }
             }
             let y = DVector::from_vec(sums.values());
-            let is_made = problem.dynamics().is_some();
-            let of_terms = if is_made { self.floors.clone() } else { self.floors.component_mul(&self.gammas) };
             let floors = y.abs() * EPSILON + of_terms;
             [y, floors]
         })
@@ -151,6 +200,13 @@ impl<'a> Joints<'a> {
         }
         let sharp = &self.sharp()[0] - self.problem.shifts() - self.problem.softnesses().component_mul(self.impulse);
         Part { value: self.norm(k, &(stored - sharp)), scale: self.scale(k), floor: self.hidden() }
+    }
+
+    /// y of twice the digits, where rounding hides too much of some row of it.
+    pub fn sharp_velocity(&self) -> Option<&DVector<f64>> {
+        let rounded = &self.floors - &self.unrounded;
+        let hides_too_much = |k: usize| self.norm(k, &rounded) > self.hidden();
+        (0..self.problem.kinds().len()).any(hides_too_much).then(|| &self.sharp()[0])
     }
 
     fn norm(&self, k: usize, all: &DVector<f64>) -> f64 {

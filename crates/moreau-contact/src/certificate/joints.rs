@@ -15,7 +15,7 @@
 //!
 //! Where the W of all rows is not shown to be one of bodies, an impulse of a contact that counts as none may move no joint either.
 
-use super::joint_scales::{Joints, gammas};
+use super::joint_scales::Joints;
 use super::judged::{Judged, Worst};
 use super::residuals::{Residuals, of_held};
 use super::scales::Unheld;
@@ -75,6 +75,21 @@ pub fn jointed_residuals(problem: &JointedProblem, solution: &Solution) -> Resul
     Ok(JointedResiduals { contacts, bilateral })
 }
 
+/// Puts u = W r + u_free with twice the digits in place of that of an answer, where rounding hides too much of a sum in a double; whether it
+/// does.
+///
+/// # Errors
+/// [`Error::Invalid`] if the answer has another size than the problem.
+pub fn sharpen(problem: &JointedProblem, solution: &mut Solution) -> Result<bool> {
+    problem.require_rows("impulse", solution.impulse.len())?;
+    let joints = Joints::new(problem, &solution.impulse);
+    let soft = problem.softnesses().component_mul(&solution.impulse);
+    let sharp = joints.sharp_velocity().map(|y| y - problem.shifts() - soft);
+    let is_sharp = sharp.is_some();
+    sharp.into_iter().for_each(|u| solution.velocity = u);
+    Ok(is_sharp)
+}
+
 /// Contacts and limits with the impulses of the joints given.
 fn of_contacts(problem: &JointedProblem, solution: &Solution, joints: &Joints) -> Result<Residuals> {
     let mut held = DVector::zeros(problem.rows());
@@ -82,7 +97,7 @@ fn of_contacts(problem: &JointedProblem, solution: &Solution, joints: &Joints) -
     let moved = problem.delassus() * &held;
     // nothing is added to u_free, and nothing rounds, where the joints move nothing
     let given = problem.free_velocity().zip_map(&moved, |free, moved| if moved == 0.0 { 0.0 } else { free.abs() });
-    let rounding = (problem.delassus().abs() * held.abs() + given).component_mul(&gammas(problem));
+    let rounding = joints.rounding(&held, given);
     let given = problem.unilateral(problem.delassus(), &(problem.free_velocity() + moved))?;
     let data = problem.free_velocity() + problem.shifts();
     let [impulse, velocity] = [&solution.impulse, &solution.velocity].map(|all| problem.spread(all));

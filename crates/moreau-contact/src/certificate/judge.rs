@@ -29,6 +29,7 @@ use crate::cones::second_order::{distance_of, length, tangential_norm};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::certificate::PROJECTED;
 use moreau_exact::{Error, Result};
+use nalgebra::DVector;
 
 /// Judges answers; its memory is used again, so that judging step after step does not allocate.
 #[derive(Clone, Debug, Default)]
@@ -68,6 +69,21 @@ impl Judge {
     pub(crate) fn look(&mut self, problem: &ContactProblem, solution: &Solution) -> Result<Judged> {
         self.scales.prepare(problem);
         self.judge_prepared(problem, solution)
+    }
+
+    /// Puts u = W r + u_free with twice the digits in place of that of an answer, where rounding hides too much of a sum in a double; whether
+    /// it does.
+    ///
+    /// # Errors
+    /// As [`Judge::judge`].
+    pub fn sharpen(&mut self, problem: &ContactProblem, solution: &mut Solution) -> Result<bool> {
+        self.judge(problem, solution)?;
+        let is_sharp = self.scales.is_sharp();
+        if is_sharp {
+            let u = self.velocities(problem, solution);
+            solution.velocity = DVector::from_iterator(u.len(), u);
+        }
+        Ok(is_sharp)
     }
 
     /// [`Judge::judge`], which does not judge again what was judged last in this thread: the same problem, the same r and the same u.
@@ -238,16 +254,21 @@ impl Judge {
 
     /// Shows what is left of the stored u, |u − (W r + u_free)|, with its rounding: contact, row of the contact, residual, rounding.
     fn each_stored(&self, problem: &ContactProblem, solution: &Solution, mut show: impl FnMut(usize, usize, f64, f64)) {
-        let (rows, softness) = (problem.rows_per_contact(), problem.row_compliances());
-        let soft = |row: usize| softness.map_or(0.0, |softness| softness[row]);
-        let given = problem.shift().as_slice().iter().zip(self.scales.of_stored());
-        let answer = solution.velocity.as_slice().iter().zip(solution.impulse.as_slice()).zip(&self.law_velocity);
+        let rows = problem.rows_per_contact();
+        let answer = solution.velocity.as_slice().iter().zip(self.velocities(problem, solution)).zip(self.scales.of_stored());
         let (mut contact, mut at) = (0, 0);
-        for (row, (((stored, r), y), (shift, floor))) in answer.zip(given).enumerate() {
-            let found = y - shift - soft(row) * r;
+        for ((stored, found), floor) in answer {
             show(contact, at, (stored - found).abs(), *floor);
             (contact, at) = if at + 1 == rows { (contact + 1, 0) } else { (contact, at + 1) };
         }
+    }
+
+    /// u = y − shift − R r of what was judged last.
+    fn velocities<'a>(&'a self, problem: &'a ContactProblem, solution: &'a Solution) -> impl ExactSizeIterator<Item = f64> + 'a {
+        let softness = problem.row_compliances();
+        let soft = move |row: usize| softness.map_or(0.0, |softness| softness[row]);
+        let answer = self.law_velocity.iter().zip(problem.shift().as_slice()).zip(solution.impulse.as_slice());
+        answer.enumerate().map(move |(row, ((y, shift), r))| y - shift - soft(row) * r)
     }
 }
 

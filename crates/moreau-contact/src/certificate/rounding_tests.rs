@@ -4,7 +4,7 @@
 use super::super::joints::jointed_residuals;
 use super::super::residuals;
 use super::super::scales::Scales;
-use crate::operator::{BlockRows, MatrixFree, Operator};
+use crate::operator::{BlockRows, MatrixFree, Operator, Sparse, SparseDynamics};
 use crate::problem::{ConstraintKind, ContactProblem, Dynamics, JointedProblem, Law, Solution};
 use crate::tolerance::certificate::CERTIFY;
 use moreau_exact::scalar::{Rational, Scalar, exact};
@@ -201,9 +201,9 @@ fn beside_joints_answers_are_accepted_or_refused_by_what_they_are_too() {
 }
 
 /// A block of 7·2⁴⁴ + 1 kg on one of 7 kg: the entries of W = H M⁻¹ Hᵀ are rounded, and that is all of y of these impulses. An answer that
-/// is wrong by 3·10⁻³ of V would be right of the rounded W.
+/// is wrong by 3·10⁻³ of V would be right of the rounded W; mass and Jacobian tell which is right.
 #[test]
-fn where_w_was_made_of_mass_and_jacobian_its_own_rounding_excuses_nothing() {
+fn where_w_was_made_of_mass_and_jacobian_they_decide() {
     let (mass, jacobian) = (dmatrix![7.0, 0.0; 0.0, 123_145_302_310_913.0], dmatrix![1.0, 0.0; -1.0, 1.0]);
     let w = crate::contact::delassus::delassus(&mass, &jacobian).unwrap();
     let [right, wrong] = [[246_290_604_621_833.0, 246_290_604_621_826.0], [245_930_355_078_259.34, 245_930_355_078_252.34]];
@@ -213,7 +213,7 @@ fn where_w_was_made_of_mass_and_jacobian_its_own_rounding_excuses_nothing() {
     };
     let given = || ContactProblem::new(w.clone(), dvector![-1.0, -1.0]).law(Law::Frictionless).rows_per_contact(1);
     let made = given().dynamics(Dynamics { mass: mass.clone(), jacobian: jacobian.clone() }).build().unwrap();
-    assert!(!accepts(&made, wrong));
+    assert!(accepts(&made, right) && !accepts(&made, wrong));
     let mut rows = BlockRows::new(1, [1, 1]).unwrap();
     rows.push(&[(0, &[1.0])]).unwrap();
     rows.push(&[(0, &[-1.0]), (1, &[1.0])]).unwrap();
@@ -224,42 +224,75 @@ fn where_w_was_made_of_mass_and_jacobian_its_own_rounding_excuses_nothing() {
 
     let kinds = vec![ConstraintKind::Contact, ConstraintKind::Bilateral { rows: 1 }];
     let joined = JointedProblem::new(1, kinds, w.clone(), dvector![-1.0, -1.0]).unwrap().law(Law::Frictionless, vec![0.0; 2]).unwrap();
-    let accepts = |problem: &JointedProblem| {
-        let solution = Solution::new("by hand", DVector::from_row_slice(&wrong), DVector::zeros(2), 0);
+    let accepts = |problem: &JointedProblem, impulse: &[f64; 2]| {
+        let solution = Solution::new("by hand", DVector::from_row_slice(impulse), DVector::zeros(2), 0);
         jointed_residuals(problem, &solution).unwrap().is_solution(CERTIFY)
     };
-    assert!(accepts(&joined) && !accepts(&joined.made_of(Some(Dynamics { mass, jacobian })).unwrap()), "beside joints, too");
+    assert!(accepts(&joined, &wrong), "W alone is another problem");
+    let made = joined.made_of(Some(Dynamics { mass, jacobian })).unwrap();
+    assert!(accepts(&made, &right) && !accepts(&made, &wrong), "beside joints, too");
 }
 
-/// M = [[1, 1 − e], [1 − e, 1]] and H = (1, −½): W is of the order of 1/e, and factors of M lose 1/e of its digits.
+/// M = [[1, 1 − e], [1 − e + s, 1]] and H = (1, −½): W is of the order of 1/e, and factors of M lose 1/e of its digits. M by bodies, by
+/// rows, by lists, and beside a joint that holds a body of its own.
 #[test]
 fn a_mass_that_is_nearly_singular_hides_what_its_factors_lose() {
-    let (mut right, mut wrong) = (0, 0);
-    for power in 4..=48 {
+    let (mut right, mut wrong) = ([0; 4], [0; 4]);
+    for (power, skew) in (4..=48).flat_map(|power| [0.0, 0.25].map(|skew| (power, skew))) {
         let off = 1.0 - 2f64.powi(-power) / 3.0;
-        let mass = dmatrix![1.0, off; off, 1.0];
-        let mut rows = BlockRows::new(1, [2]).unwrap();
-        rows.push(&[(0, &[1.0, -0.5])]).unwrap();
-        let free = MatrixFree::new(std::slice::from_ref(&mass), rows).unwrap();
-        let problem = ContactProblem::new(free, dvector![-1.0]).law(Law::Frictionless).rows_per_contact(1).build().unwrap();
-        let [row, half, other] = [1.0, -0.5, off].map(exact);
+        let across = off - skew * 2f64.powi(-power);
+        let mass = dmatrix![1.0, off, 0.0; across, 1.0, 0.0; 0.0, 0.0, 1.0];
+        let jacobian = dmatrix![1.0, -0.5, 0.0; 0.0, 0.0, 1.0];
+        let Ok(problems) = each_way(&mass, &jacobian) else { continue };
+        let [row, half, other, across] = [1.0, -0.5, off, across].map(exact);
         let one: Rational = exact(1.0);
-        let determinant = one.clone() - other.clone() * other.clone();
-        let w = (row.clone() * row + half.clone() * half.clone() - exact(2.0) * half * other) / determinant;
+        let determinant = one.clone() - other.clone() * across.clone();
+        let w = (row.clone() * row + half.clone() * half.clone() - half * (other + across)) / determinant;
         let answer = Scalar::to_f64(&(one.clone() / w.clone()));
         for part in [0.0, 1e-6, 1e-4, 1e-2, 0.5, -1e-4, -1e-2] {
             let impulse = answer * (1.0 + part);
             let y = Scalar::to_f64(&(w.clone() * exact(impulse) - one.clone()));
-            let solution = Solution::new("by hand", dvector![impulse], dvector![y], 0);
-            let accepted = residuals(&problem, &solution).unwrap().is_solution(CERTIFY);
-            if part == 0.0 {
-                assert!(accepted || power > 20, "2^-{power}");
-                right += usize::from(accepted);
-            } else if y.abs() > 2.1e-5 {
-                assert!(!accepted, "2^-{power}: {y:e}");
-                wrong += 1;
+            for (way, problem) in problems.iter().enumerate() {
+                let solution = |impulse: &[f64], velocity: &[f64]| {
+                    Solution::new("by hand", DVector::from_row_slice(impulse), DVector::from_row_slice(velocity), 0)
+                };
+                let accepted = match problem {
+                    Way::Alone(problem) => residuals(problem, &solution(&[impulse], &[y])).unwrap().is_solution(CERTIFY),
+                    Way::Joined(problem) => jointed_residuals(problem, &solution(&[impulse, 1.0], &[y, 0.0])).unwrap().is_solution(CERTIFY),
+                };
+                if part == 0.0 {
+                    assert!(accepted || power > 20, "2^-{power} {skew}, way {way}");
+                    right[way] += usize::from(accepted);
+                } else if y.abs() > 2.1e-5 {
+                    assert!(!accepted, "2^-{power} {skew}, way {way}: {y:e}");
+                    wrong[way] += 1;
+                }
             }
         }
     }
-    assert!(right > 17 && wrong > 200, "{right} {wrong}");
+    assert!(right.iter().all(|count| *count > 34) && wrong.iter().all(|count| *count > 400), "{right:?} {wrong:?}");
+}
+
+enum Way {
+    Alone(ContactProblem),
+    Joined(JointedProblem),
+}
+
+/// The contact of the first row alone – by bodies, by rows and by lists – and with the second one as a joint.
+fn each_way(mass: &DMatrix<f64>, jacobian: &DMatrix<f64>) -> moreau_exact::Result<[Way; 4]> {
+    let part = |matrix: &DMatrix<f64>, rows: usize| matrix.view((0, 0), (rows, 2)).clone_owned();
+    let (own, row) = (part(mass, 2), part(jacobian, 1));
+    let mut rows = BlockRows::new(1, [2])?;
+    rows.push(&[(0, row.transpose().as_slice())])?;
+    let build = |problem: crate::problem::ContactProblemBuilder| problem.law(Law::Frictionless).rows_per_contact(1).build().map(Way::Alone);
+    let bodies = build(ContactProblem::new(MatrixFree::new(std::slice::from_ref(&own), rows)?, dvector![-1.0]))?;
+    let listed = SparseDynamics::new(&Sparse::of(&own), &Sparse::of(&row), 1)?;
+    let lists = build(ContactProblem::new(listed.delassus()?, dvector![-1.0]).sparse_dynamics(listed))?;
+    let w = SparseDynamics::new(&Sparse::of(mass), &Sparse::of(jacobian), 1)?.delassus()?.to_dense();
+    let given = ContactProblem::new(w.view((0, 0), (1, 1)).clone_owned(), dvector![-1.0]);
+    let made = build(given.dynamics(Dynamics { mass: own, jacobian: row }))?;
+    let kinds = vec![ConstraintKind::Contact, ConstraintKind::Bilateral { rows: 1 }];
+    let joined = JointedProblem::new(1, kinds, w, dvector![-1.0, -1.0])?.law(Law::Frictionless, vec![0.0; 2])?;
+    let joined = joined.made_of(Some(Dynamics { mass: mass.clone(), jacobian: jacobian.clone() }))?;
+    Ok([bodies, made, lists, Way::Joined(joined)])
 }

@@ -181,7 +181,9 @@ impl Scales {
         let own = |(row, ((free, shift), r)): (usize, ((&f64, &f64), &f64))| free.abs() + shift.abs() + soft(row) * r.abs();
         self.floors.clear();
         self.floors.extend(data.zip(impulse).enumerate().map(own));
-        problem.delassus().of_contacts().add_magnitudes(impulse, &mut self.floors);
+        if let Some(operator) = problem.rounded_as() {
+            operator.add_magnitudes(impulse, &mut self.floors);
+        }
         self.stored.clear();
         let gammas = problem.rounding();
         self.floors.iter_mut().zip(gammas).for_each(|(floor, gamma)| *floor *= gamma);
@@ -298,23 +300,29 @@ impl Scales {
         }
     }
 
-    /// y of doubled precision and its rounding; `None` where that is not known, or W is stored and was made of mass and Jacobian: then its
-    /// entries are rounded themselves, by as much as the sum is.
+    /// y of doubled precision and its rounding, of W as it was given, or of the mass and Jacobian that it was formed of: then its entries
+    /// are rounded themselves, by as much as the sum is. `None` where that is not known.
     fn sharp(&self, problem: &ContactProblem, impulse: &[f64]) -> Option<[Vec<f64>; 2]> {
-        if problem.knows_rows() && problem.delassus().matrix_free().is_none() {
-            return None;
-        }
         let (gammas, softness) = (problem.rounding(), problem.row_compliances());
         let mut sums = DoubledResiduals::new(problem.free_velocity().as_slice());
         for (row, (shift, r)) in problem.shift().iter().zip(impulse).enumerate() {
             sums.subtract_unit(row, &-shift);
             softness.into_iter().for_each(|softness| sums.subtract_from(row, &softness[row..=row], &-r));
         }
-        let off = problem.delassus().add_doubled(impulse, gammas, &mut sums)?;
+        let off = if problem.knows_rows() && problem.delassus().matrix_free().is_none() {
+            problem.unformed()?.add_doubled(impulse, gammas, &mut sums)?
+        } else {
+            problem.delassus().add_doubled(impulse, gammas, &mut sums)?
+        };
         let sharp = sums.values();
         let floor = |row: usize| EPSILON * sharp[row].abs() + gammas[row] * self.floors[row] + off[row];
         let floors = (0..sharp.len()).map(floor).collect();
         Some([sharp, floors])
+    }
+
+    /// Whether y has twice the digits somewhere.
+    pub fn is_sharp(&self) -> bool {
+        !self.stored.is_empty()
     }
 
     /// What a stored u may be off by, row by row \[m/s\].

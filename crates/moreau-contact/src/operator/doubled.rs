@@ -32,51 +32,54 @@ impl Operator {
                     }
                 }
             }
-            Operator::Bodies(bodies) => return add_by_bodies(&bodies.free, impulse, gamma, sums),
+            Operator::Bodies(bodies) => return bodies.free.add_doubled(impulse, gamma, sums),
         }
         Some(vec![0.0; impulse.len()])
     }
 }
 
-fn add_by_bodies(free: &MatrixFree, impulse: &[f64], gamma_of: &[f64], sums: &mut DoubledResiduals<f64>) -> Option<Vec<f64>> {
-    let (jacobian, d) = (free.jacobian(), free.rows_per_contact());
-    let size = jacobian.velocity_count();
-    let (mut pushed, mut terms) = (DoubledResiduals::new(&vec![0.0; size]), vec![0.0; size]);
-    for (k, r) in impulse.chunks_exact(d).enumerate() {
-        for (body, block) in jacobian.contact(k) {
-            let range = jacobian.velocities(body);
-            for (row, r) in block.chunks_exact(range.len().max(1)).zip(r) {
-                pushed.subtract_from(range.start, row, &-r);
-                terms[range.clone()].iter_mut().zip(row).for_each(|(sum, h)| *sum += (h * r).abs());
-            }
-        }
-    }
-    let (high, low) = pushed.parts();
-    // a row sums as many products as the parts of its velocities are
-    let velocities = |k: usize| jacobian.bodies(k).iter().map(|body| jacobian.velocities(*body as usize).len()).sum::<usize>();
-    let most = (0..jacobian.contacts()).map(velocities).max().unwrap_or(0);
-    let part = gamma_of.iter().copied().fold(gamma(PARTS * most + 8), f64::max).powi(2);
-    let (mut velocity, mut doubt) = (vec![[0.0; PARTS]; size], vec![0.0; size]);
-    for body in 0..jacobian.body_count() {
-        let range = jacobian.velocities(body);
-        let own = [&high[range.clone()], &low[range.clone()], &terms[range.clone()]];
-        let (found, left) = solved(&free.mass(body).into_owned(), own, part)?;
-        velocity[range.clone()].copy_from_slice(&found);
-        doubt[range].copy_from_slice(left.as_slice());
-    }
-    let mut off = vec![0.0; impulse.len()];
-    for (k, off) in off.chunks_exact_mut(d).enumerate() {
-        for (body, block) in jacobian.contact(k) {
-            let range = jacobian.velocities(body);
-            for (at, row) in block.chunks_exact(range.len().max(1)).enumerate() {
-                for (h, v) in row.iter().zip(range.clone()) {
-                    velocity[v].iter().for_each(|w| sums.subtract_from(k * d + at, &[*h], &-w));
-                    off[at] += h.abs() * (doubt[v] + part * velocity[v][0].abs());
+impl MatrixFree {
+    /// [`Operator::add_doubled`] of bodies.
+    pub(crate) fn add_doubled(&self, impulse: &[f64], gamma_of: &[f64], sums: &mut DoubledResiduals<f64>) -> Option<Vec<f64>> {
+        let (jacobian, d) = (self.jacobian(), self.rows_per_contact());
+        let size = jacobian.velocity_count();
+        let (mut pushed, mut terms) = (DoubledResiduals::new(&vec![0.0; size]), vec![0.0; size]);
+        for (k, r) in impulse.chunks_exact(d).enumerate() {
+            for (body, block) in jacobian.contact(k) {
+                let range = jacobian.velocities(body);
+                for (row, r) in block.chunks_exact(range.len().max(1)).zip(r) {
+                    pushed.subtract_from(range.start, row, &-r);
+                    terms[range.clone()].iter_mut().zip(row).for_each(|(sum, h)| *sum += (h * r).abs());
                 }
             }
         }
+        let (high, low) = pushed.parts();
+        // a row sums as many products as the parts of its velocities are
+        let velocities = |k: usize| jacobian.bodies(k).iter().map(|body| jacobian.velocities(*body as usize).len()).sum::<usize>();
+        let most = (0..jacobian.contacts()).map(velocities).max().unwrap_or(0);
+        let part = gamma_of.iter().copied().fold(gamma(PARTS * most + 8), f64::max).powi(2);
+        let (mut velocity, mut doubt) = (vec![[0.0; PARTS]; size], vec![0.0; size]);
+        for body in 0..jacobian.body_count() {
+            let range = jacobian.velocities(body);
+            let own = [&high[range.clone()], &low[range.clone()], &terms[range.clone()]];
+            let (found, left) = solved(&self.mass(body).into_owned(), own, part)?;
+            velocity[range.clone()].copy_from_slice(&found);
+            doubt[range].copy_from_slice(left.as_slice());
+        }
+        let mut off = vec![0.0; impulse.len()];
+        for (k, off) in off.chunks_exact_mut(d).enumerate() {
+            for (body, block) in jacobian.contact(k) {
+                let range = jacobian.velocities(body);
+                for (at, row) in block.chunks_exact(range.len().max(1)).enumerate() {
+                    for (h, v) in row.iter().zip(range.clone()) {
+                        velocity[v].iter().for_each(|w| sums.subtract_from(k * d + at, &[*h], &-w));
+                        off[at] += h.abs() * (doubt[v] + part * velocity[v][0].abs());
+                    }
+                }
+            }
+        }
+        Some(off)
     }
-    Some(off)
 }
 
 /// w as a sum of [`PARTS`] numbers, and a bound of its error, of M w = high + low, whose products sum to `terms` without their signs.

@@ -9,9 +9,9 @@
 //! one body.
 
 use super::mass_block::Factor;
-use super::{BlockRows, BlockSparse, ContactOperator};
+use super::{BlockRows, BlockSparse, ContactOperator, lost_digits};
 use crate::memory;
-use crate::tolerance::certificate::{VELOCITIES, terms_of_mass};
+use crate::tolerance::certificate::VELOCITIES;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DMatrixView};
 use std::collections::HashMap;
@@ -306,7 +306,7 @@ impl MatrixFree {
 
 /// Of every body what its mass loses when it is factored, in terms.
 fn cancelling(masses: &[DMatrix<f64>], factors: &[Factor]) -> Vec<usize> {
-    masses.iter().zip(factors).map(|(mass, factor)| terms_of_mass(mass, factor.pivots())).collect()
+    masses.iter().zip(factors).map(|(mass, factor)| lost_digits::terms(mass, factor)).collect()
 }
 
 /// Of every contact the rows of the contacts that touch one of its bodies, each contact once where none touches more than two bodies, and

@@ -16,6 +16,7 @@ mod dense;
 mod doubled;
 mod islands;
 mod lists;
+mod lost_digits;
 mod mass_block;
 mod matrix_free;
 mod of_mechanism;

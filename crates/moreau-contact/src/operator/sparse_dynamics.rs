@@ -6,7 +6,7 @@
 //! with b over the groups of velocities that M̂ does not couple: the bodies of a pile, the linkages of a robot.
 
 use super::mass_block::{Factor, Halves};
-use super::{BlockRows, BlockSparse, MatrixFree, Sparse};
+use super::{BlockRows, BlockSparse, MatrixFree, Sparse, lost_digits};
 use crate::memory;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -137,6 +137,11 @@ impl SparseDynamics {
             rows.push(&by_rows.iter().map(|(group, block)| (*group, block.as_slice())).collect::<Vec<_>>())?;
         }
         MatrixFree::new(&self.masses, rows)
+    }
+
+    /// Whether some group of velocities has a mass that is nearly singular, so that its factors, and W, lose digits.
+    pub(crate) fn loses_digits(&self) -> bool {
+        self.masses.iter().zip(&self.factors).any(|(mass, factor)| lost_digits::terms(mass, factor) > 0)
     }
 
     /// Number of entries of M̂ and H, zeros included.

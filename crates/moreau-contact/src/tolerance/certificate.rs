@@ -22,18 +22,20 @@ pub fn gamma(operations: usize) -> f64 {
 /// space, of the 4 terms + 16 that there are; each four further ones count as a term.
 /// Derived.
 pub fn row_rounding(terms: usize) -> f64 {
-    gamma(2 * terms + 8)
+    gamma(terms.saturating_mul(2).saturating_add(8))
 }
 
-/// What a mass M = L D Lᵀ of n velocities that is nearly singular adds to the terms of a row. Scaled to ones on its diagonal, its least
-/// eigenvalue is at least 1/(e Π M_jj/D_j), for the others sum to less than n; M⁻¹ x of factors that are off by γ_n |L|D|Lᵀ| is then off by
-/// γ_n e n Π M_jj/D_j of its size. A product of up to 16 is among the halves of ε that [`row_rounding`] leaves to data: masses of bodies
-/// that lie askew have it.
+/// A bound of ‖A⁻¹‖, A = S M S with ones on its diagonal, by the pivots of M = L D Lᵀ: the least eigenvalue of A is at least
+/// 1/(e Π M_jj/D_j), for Π D_j/M_jj is the product of all, and the others sum to less than n.
 /// Derived.
-pub fn terms_of_mass(mass: &DMatrix<f64>, pivots: &[f64]) -> usize {
-    let lost: f64 = pivots.iter().enumerate().map(|(v, pivot)| mass[(v, v)] / pivot).product();
-    if lost <= 16.0 { 0 } else { (lost * 3.0 * pivots.len().pow(2) as f64).min(1.0 / EPSILON) as usize }
+pub fn lost_of_pivots(mass: &DMatrix<f64>, pivots: &[f64]) -> f64 {
+    3.0 * pivots.iter().enumerate().map(|(v, pivot)| mass[(v, v)] / pivot).product::<f64>()
 }
+
+/// 48: a mass whose scaled inverse is at most this large, by a bound of it, loses digits that are among the halves of ε which
+/// [`row_rounding`] leaves to data: bodies that lie askew have such masses.
+/// Set.
+pub const KEPT_BY_MASS: f64 = 48.0;
 
 /// Velocities of two bodies in space: see [`row_rounding`].
 /// Derived.

@@ -76,11 +76,14 @@ impl ContactSolver for Certified<'_> {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        let solution = self.solver.solve(problem, warm_start)?;
+        let mut solution = self.solver.solve(problem, warm_start)?;
         let mut found = self.found();
-        let (residual, worst) =
-            found.judge.judge_once(problem, &solution).map_err(|error| Error::breakdown(self.name(), error.to_string()))?.worst();
-        let relative = worst.part.relative();
+        let failed = |error: Error| Error::breakdown(self.name(), error.to_string());
+        let mut worst = found.judge.judge_once(problem, &solution).map_err(failed)?.worst();
+        if !(worst.1.part.relative() <= self.tolerance) && found.judge.sharpen(problem, &mut solution).map_err(failed)? {
+            worst = found.judge.judge(problem, &solution).map_err(failed)?.worst();
+        }
+        let ((residual, worst), relative) = (worst, worst.1.part.relative());
         let pair = problem.bodies().and_then(|bodies| bodies.get(worst.contact).copied());
         let own = StepResidual { rule: "certificate", residual, relative, limit: self.tolerance, contact: Some(worst.contact), pair };
         if !own.is_accepted() && found.rejected.is_none() {

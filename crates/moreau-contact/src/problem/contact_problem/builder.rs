@@ -326,6 +326,8 @@ impl ContactProblemBuilder {
             weights: Once::default(),
             islands: Once::default(),
             rounding: Once::default(),
+            loses_digits: Once::default(),
+            unformed: Once::default(),
             overreaches: self.overreaches.map_or_else(Once::default, Once::known),
             indefiniteness: if self.overreaches == Some(false) { Once::known(0.0) } else { Once::default() },
             velocity_factor: Once::default(),

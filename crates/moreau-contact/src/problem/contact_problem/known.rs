@@ -1,14 +1,13 @@
 //! The mass and Jacobian that a problem is known to come from: as matrices, or by bodies until something asks for matrices.
 
 use super::dynamics::Dynamics;
-#[cfg(feature = "files")]
-use crate::contact::Mass;
-use crate::contact::{Inertia, Jacobian};
+use crate::contact::{Inertia, Jacobian, Mass};
 use crate::memory::spare::{self, Lent};
-#[cfg(feature = "files")]
-use crate::operator::Sparse;
-use crate::operator::{BlockRows, SparseDynamics};
+use crate::operator::{BlockRows, MatrixFree, Sparse, SparseDynamics};
+use crate::tolerance::certificate::{KEPT_BY_MASS, lost_of_pivots};
 use crate::tolerance::problem::WRITTEN_OUT;
+use moreau_exact::Result;
+use nalgebra::DMatrix;
 use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
@@ -79,6 +78,39 @@ impl Known {
         }
     }
 
+    /// M̂ and H by the groups of velocities that M̂ does not couple.
+    fn by_groups(&self, rows_per_contact: usize) -> Result<Cow<'_, SparseDynamics>> {
+        let made = |[mass, jacobian]: [Sparse; 2]| SparseDynamics::new(&mass, &jacobian, rows_per_contact).map(Cow::Owned);
+        match self {
+            Known::Listed { listed, .. } => Ok(Cow::Borrowed(&**listed)),
+            Known::Dense(Dynamics { mass, jacobian }) => made([Sparse::of(mass), Sparse::of(jacobian)]),
+            Known::Sparse { inertia, .. } => {
+                let jacobian = self.by_bodies().map(|(_, jacobian)| entries_of_rows(&jacobian, rows_per_contact));
+                made([entries_of(inertia.mass()), jacobian.expect("it is kept by bodies")])
+            }
+        }
+    }
+
+    /// W as M̂ and H make it, not formed.
+    ///
+    /// # Errors
+    /// [`moreau_exact::Error::Invalid`] if that takes more memory than is allowed, or a velocity is prescribed.
+    pub fn unformed(&self, rows_per_contact: usize) -> Result<MatrixFree> {
+        self.by_groups(rows_per_contact)?.matrix_free()
+    }
+
+    /// Whether M̂ is so nearly singular that a W which was formed of it lost digits.
+    ///
+    /// # Errors
+    /// [`moreau_exact::Error::Invalid`] if looking takes more memory than is allowed.
+    pub fn loses_digits(&self, rows_per_contact: usize) -> Result<bool> {
+        Ok(match self {
+            Known::Sparse { inertia, .. } if !may_lose_digits(inertia) => false,
+            Known::Dense(Dynamics { mass, .. }) if is_diagonal(mass) => false,
+            known => known.by_groups(rows_per_contact)?.loses_digits(),
+        })
+    }
+
     /// M̂ and H entry by entry, where they are not kept as matrices.
     #[cfg(feature = "files")]
     pub fn triplets(&self, rows_per_contact: usize) -> Option<[Sparse; 2]> {
@@ -87,15 +119,7 @@ impl Known {
             Known::Listed { listed, .. } => Some(listed.triplets()),
             Known::Sparse { inertia, .. } => {
                 let (_, jacobian) = self.by_bodies()?;
-                let mut rows = Sparse { shape: [jacobian.nrows(), jacobian.ncols()], entries: Vec::new() };
-                for (k, contact) in jacobian.contacts().iter().enumerate() {
-                    for part in contact.parts() {
-                        let place = |at: usize| (k * rows_per_contact + at / part.width, part.first + at % part.width);
-                        let own = part.entries.iter().enumerate().filter(|(_, entry)| **entry != 0.0);
-                        rows.entries.extend(own.map(|(at, entry)| (place(at).0, place(at).1, *entry)));
-                    }
-                }
-                Some([entries_of(inertia.mass()), rows])
+                Some([entries_of(inertia.mass()), entries_of_rows(&jacobian, rows_per_contact)])
             }
         }
     }
@@ -116,8 +140,41 @@ impl Known {
     }
 }
 
+/// Whether the pivots of some block of M̂ tell that it may be nearly singular.
+fn may_lose_digits(inertia: &Inertia) -> bool {
+    let pivots = inertia.factor().pivots();
+    let loses = |block: &DMatrix<f64>, first: usize| lost_of_pivots(block, &pivots[first..first + block.nrows()]) > KEPT_BY_MASS;
+    match inertia.mass() {
+        Mass::Diagonal(_) => false,
+        Mass::Dense(dense) => loses(dense, 0),
+        Mass::Blocks(blocks) => {
+            let mut first = 0;
+            blocks.iter().any(|block| {
+                first += block.nrows();
+                loses(block, first - block.nrows())
+            })
+        }
+    }
+}
+
+fn is_diagonal(mass: &DMatrix<f64>) -> bool {
+    mass.iter().enumerate().all(|(place, entry)| *entry == 0.0 || place % (mass.nrows() + 1) == 0)
+}
+
+/// The entries of H that are not zero.
+fn entries_of_rows(jacobian: &Jacobian, rows_per_contact: usize) -> Sparse {
+    let mut rows = Sparse { shape: [jacobian.nrows(), jacobian.ncols()], entries: Vec::new() };
+    for (k, contact) in jacobian.contacts().iter().enumerate() {
+        for part in contact.parts() {
+            let place = |at: usize| (k * rows_per_contact + at / part.width, part.first + at % part.width);
+            let own = part.entries.iter().enumerate().filter(|(_, entry)| **entry != 0.0);
+            rows.entries.extend(own.map(|(at, entry)| (place(at).0, place(at).1, *entry)));
+        }
+    }
+    rows
+}
+
 /// The entries of a mass that are not zero.
-#[cfg(feature = "files")]
 fn entries_of(mass: &Mass) -> Sparse {
     let entries = match mass {
         Mass::Diagonal(diagonal) => diagonal.iter().enumerate().map(|(v, mass)| (v, v, *mass)).collect(),

@@ -4,7 +4,7 @@ use super::{ContactKey, Law};
 use crate::memory::spare::{self, Lent};
 #[cfg(feature = "files")]
 use crate::operator::Sparse;
-use crate::operator::{ContactOperator, Islands, Operator, VelocityFactor};
+use crate::operator::{ContactOperator, Islands, MatrixFree, Operator, VelocityFactor};
 use crate::tolerance::certificate::row_rounding;
 use crate::tolerance::problem::WRITTEN_OUT;
 use nalgebra::{DMatrix, DVector};
@@ -84,6 +84,8 @@ pub struct ContactProblem {
     weights: Once<Weights>,
     islands: Once<Islands>,
     rounding: Once<Lent<Vec<f64>>>,
+    loses_digits: Once<bool>,
+    unformed: Once<Option<MatrixFree>>,
     overreaches: Once<bool>,
     indefiniteness: Once<f64>,
     velocity_factor: Once<Option<VelocityFactor>>,
@@ -201,12 +203,34 @@ impl ContactProblem {
     /// γ of every row of y, relative to its terms, found once.
     pub(crate) fn rounding(&self) -> &[f64] {
         self.rounding.get_or(|| {
-            let mut terms = Lent::from(spare::repeated(self.contacts(), 0));
-            self.delassus.of_contacts().write_terms(&mut terms);
+            let mut terms = Lent::from(spare::repeated(self.contacts(), usize::MAX));
+            if let Some(operator) = self.rounded_as() {
+                operator.write_terms(&mut terms);
+            }
             let rows = self.rows_per_contact;
             let of_rows = terms.iter().flat_map(|terms| std::iter::repeat_n(row_rounding(*terms), rows));
             spare::collected(self.rows(), of_rows).into()
         })
+    }
+
+    /// The W by whose terms rounding is bounded: as it is kept, or where forming it of a nearly singular mass lost digits as it was made;
+    /// `None` if there is no room for that.
+    pub(crate) fn rounded_as(&self) -> Option<&dyn ContactOperator> {
+        let kept = self.delassus.of_contacts();
+        if self.loses_digits() { self.unformed().map(|free| free as &dyn ContactOperator) } else { Some(kept) }
+    }
+
+    /// Whether W was formed of a mass so nearly singular that it lost digits, or there is no room to see; found once.
+    fn loses_digits(&self) -> bool {
+        let look = |known: &Known| known.loses_digits(self.rows_per_contact).unwrap_or(true);
+        *self.loses_digits.get_or(|| self.dynamics.as_ref().is_some_and(look))
+    }
+
+    /// W as mass and Jacobian make it, where what is kept was formed of them; `None` if they are not known, are not finite, or take more
+    /// memory than is allowed. Found once.
+    pub(crate) fn unformed(&self) -> Option<&MatrixFree> {
+        let make = || self.dynamics.as_ref().filter(|known| known.is_finite()).and_then(|known| known.unformed(self.rows_per_contact).ok());
+        self.unformed.get_or(make).as_ref()
     }
 
     /// Whether some entry of W is larger than those of bodies, or it is said to be any matrix; found once.
