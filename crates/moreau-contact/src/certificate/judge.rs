@@ -231,12 +231,15 @@ impl Judge {
         // nearly all contacts have one μ
         let mut cone = (f64::NAN, f64::NAN);
         for (k, (((r, y), floors), friction)) in answer.enumerate() {
-            let is_open = || matches!(law, Law::Frictionless | Law::Coulomb) && opens(r, y) && self.scales.is_certain(k, floors);
-            if k > 0 && is_open() {
+            let is_open = matches!(law, Law::Frictionless | Law::Coulomb) && opens(r, y);
+            if k > 0 && is_open && self.scales.is_certain(k, floors) {
                 continue;
             }
+            let is_plainly_open = is_open && y[0] >= floors[0] && floors.iter().all(|floor| floor.is_finite());
             let Held { weights, sizes, most, impulse, floors, uncertain } = self.scales.held(k, floors);
             self.is_doubtful |= uncertain.is_some();
+            // whatever is rounded of its velocity, it is no less than zero
+            let uncertain = uncertain.filter(|_| !is_plainly_open);
             if cone.0 != *friction {
                 cone = (*friction, 1.0 / length(law.cone_friction(*friction), 1.0));
             }
@@ -272,8 +275,8 @@ impl Judge {
     }
 }
 
-/// Whether a contact without an impulse opens. Where its rounding is known and small all its residuals are 0; those of the first contact
-/// are taken in any case, for their limits.
+/// Whether a contact without an impulse opens. Where its rounding is known, and small or less than its velocity, all its residuals are 0;
+/// those of the first contact are taken in any case, for their limits.
 fn opens<const ROWS: usize>(r: &[f64; ROWS], y: &[f64; ROWS]) -> bool {
     r.iter().all(|r| *r == 0.0) && y[0] >= 0.0 && y.iter().all(|y| y.is_finite())
 }

@@ -1,7 +1,8 @@
 //! What rounding hides of y: neither contacts that are not met nor the way W is stored change it, and where it hides too much y is computed
 //! with twice the digits. Answers are decided in fractions.
 
-use super::super::joints::jointed_residuals;
+use super::super::Judge;
+use super::super::joints::{jointed_residuals, sharpen};
 use super::super::residuals;
 use super::super::scales::Scales;
 use crate::operator::{BlockRows, MatrixFree, Operator, Sparse, SparseDynamics};
@@ -162,6 +163,50 @@ fn a_stored_velocity_is_no_righter_than_rounding_may_hide() {
         };
         assert!(accepts(0.0) && accepts(0.9e-5) && !accepts(1.2e-5) && !accepts(-1e-3));
     }
+}
+
+/// One contact presses with 2⁴⁰ N·s and opens the other one at ±2⁴⁰ m/s, of which an ε is more than 10⁻⁵ V.
+#[test]
+fn a_contact_that_opens_is_open_however_its_velocity_is_rounded() {
+    let large = 2f64.powi(40);
+    for (open, sign) in [(0, 1.0), (1, 1.0), (0, -1.0), (1, -1.0)] {
+        let place = |own: f64, other: f64| if open == 0 { [own, other] } else { [other, own] };
+        let [first, second] = [[2.0 * large, sign], [sign, 1.0 / large]];
+        let w = if open == 0 { [first, second] } else { [[second[1], second[0]], [first[1], first[0]]] };
+        let free = DVector::from_row_slice(&place(0.0, -1.0));
+        let problem = ContactProblem::new(DMatrix::from_fn(2, 2, |i, j| w[i][j]), free).rows_per_contact(1).build().unwrap();
+        let accepts = |off: f64| {
+            let [impulse, velocity] = [place(0.0, large), place(sign * large + off, 0.0)].map(|of| DVector::from_row_slice(&of));
+            residuals(&problem, &Solution::new("by hand", impulse, velocity, 0)).unwrap().is_solution(CERTIFY)
+        };
+        assert_eq!(accepts(0.0), sign > 0.0, "contact {open} opens at {sign}·2⁴⁰ m/s");
+        assert!(!accepts(0.01) && !accepts(-0.01), "a stored velocity of contact {open}");
+    }
+}
+
+/// The sum of a double is wrong by 3·10⁻³ of V.
+#[test]
+fn a_velocity_is_summed_again_with_twice_the_digits_where_it_must_be() {
+    let (mass, jacobian) = (dmatrix![7.0, 0.0; 0.0, 123_145_302_310_913.0], dmatrix![1.0, 0.0; -1.0, 1.0]);
+    let impulse = dvector![246_290_604_621_833.0, 246_290_604_621_826.0];
+    let made = ContactProblem::from_dynamics(mass.clone(), jacobian.clone(), &DVector::zeros(2)).free_velocity(dvector![-1.0, -1.0]);
+    let problem = made.law(Law::Frictionless).rows_per_contact(1).build().unwrap();
+    let mut solution = Solution::new("by hand", impulse.clone(), problem.velocity(&impulse), 0);
+    assert!(!residuals(&problem, &solution).unwrap().is_solution(CERTIFY), "{}", solution.velocity);
+    assert!(Judge::default().sharpen(&problem, &mut solution).unwrap());
+    assert!(residuals(&problem, &solution).unwrap().is_solution(CERTIFY), "{}", solution.velocity);
+
+    let kinds = vec![ConstraintKind::Contact, ConstraintKind::Bilateral { rows: 1 }];
+    let joined = JointedProblem::new(1, kinds, problem.dense().clone(), dvector![-1.0, -1.0]).unwrap();
+    let joined = joined.law(Law::Frictionless, vec![0.0; 2]).unwrap().made_of(Some(Dynamics { mass, jacobian })).unwrap();
+    let mut solution = Solution::new("by hand", impulse.clone(), joined.velocity(&impulse), 0);
+    assert!(!jointed_residuals(&joined, &solution).unwrap().is_solution(CERTIFY));
+    assert!(sharpen(&joined, &mut solution).unwrap());
+    assert!(jointed_residuals(&joined, &solution).unwrap().is_solution(CERTIFY), "{}", solution.velocity);
+
+    let plain = ContactProblem::new(dmatrix![0.3], dvector![-1.0]).rows_per_contact(1).build().unwrap();
+    let mut solution = Solution::new("by hand", dvector![1.0 / 0.3], dvector![1e-20], 0);
+    assert!(!Judge::default().sharpen(&plain, &mut solution).unwrap() && solution.velocity[0] == 1e-20, "nothing is lost here");
 }
 
 #[test]

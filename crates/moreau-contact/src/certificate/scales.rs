@@ -293,7 +293,8 @@ impl Scales {
             }
             for row in own {
                 law_velocity[row] = sharp[row];
-                self.stored[row] = at_most(self.hidden(k), self.floors[row]);
+                // u itself is one double
+                self.stored[row] = at_least(at_most(self.hidden(k), self.floors[row]), floors[row]);
                 self.floors[row] = floors[row];
                 self.unrounded.get_mut(row).into_iter().for_each(|lost| *lost = 0.0);
             }
