@@ -1,10 +1,8 @@
 //! Cholesky's factor of a dense matrix, which ends where the caller ends it: of some thousand rows it takes minutes.
 
 use super::watch;
+use crate::tolerance::limits::WATCHED;
 use nalgebra::{Cholesky, DMatrix, Dyn};
-
-/// Rows from which it looks between columns whether the caller ends it; of fewer all are gone through in microseconds.
-const WATCHED: usize = 64;
 
 /// L with A = L Lᵀ, number for number as nalgebra has it; none where A is not definite, or is large and the caller ends it.
 pub(super) fn factor(mut matrix: DMatrix<f64>) -> Option<Cholesky<f64, Dyn>> {

@@ -9,10 +9,8 @@
 //! `nalgebra` does, and rounds otherwise.
 
 use super::watch;
+use crate::tolerance::limits::WATCHED;
 use nalgebra::{DMatrix, DVector};
-
-/// Rows from which the elimination looks between its pivots whether the caller ends it; of fewer all are gone through in microseconds.
-const WATCHED: usize = 64;
 
 /// The x with A x = b; `None` if a pivot is exactly zero, or the caller ends it.
 ///

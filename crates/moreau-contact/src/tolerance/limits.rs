@@ -35,3 +35,8 @@ pub const ITERATIONS: usize = 100_000_000;
 /// step to step, and a kept answer holds no more.
 /// Set.
 pub const SPARE_ROOM: usize = 16;
+
+/// Rows of a dense matrix from which elimination looks between its pivots whether the caller ends it; of fewer all are gone through in
+/// microseconds.
+/// Set.
+pub const WATCHED: usize = 64;

@@ -17,7 +17,7 @@ use crate::tolerance::solvers::{ACCEPTABLE, ENOUGH, FEWEST_IN_ISLANDS, STOP};
 use moreau_exact::error::Failure;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
-use stages::{QUICK, THOROUGH, left_out};
+use stages::{ENDING, QUICK, SMOOTHED, THOROUGH, left_out};
 
 /// The default choice: one algorithm after another, in a fixed order, until the certificate's residuals are below [`ENOUGH`], after the
 /// first of nonsmooth Newton below [`ACCEPTABLE`]; otherwise the best answer seen.
@@ -38,10 +38,11 @@ use stages::{QUICK, THOROUGH, left_out};
 /// | fewer contacts of that kind under Coulomb's law | interior points and Newton; the same as of many contacts |
 /// | a thousand contacts, fewer rows for each velocity, W stored by blocks, round cones | plain sweeps, and proximal points from there |
 /// | W stored by blocks, round cones | interior points, and Newton from there |
+/// | friction with round cones at up to 100 contacts, where that was not good enough | Fischer and Burmeister's equations, and Newton |
 /// | all but a compliance on edges | Newton |
 /// | no friction, up to 1 000 contacts | parametric principal pivots |
 /// | all but a compliance on edges, where that was not good enough | proximal points around Newton, from zero |
-/// | second-order cones; W stored by blocks, or not too many contacts | Fischer and Burmeister's equations, and Newton |
+/// | second-order cones at more contacts; W stored by blocks | Fischer and Burmeister's equations, and Newton |
 /// | second-order cones, the fewer contacts the longer | proximal points that creep and leap, and Newton |
 /// | W stored by blocks | Newton from zero |
 /// | one row, the plane, polyhedral laws, no friction; up to five times as many contacts as further down | Lemke |
@@ -313,12 +314,9 @@ fn stages_in_turn(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, g
         best = (!relative.is_nan()).then_some((relative, solution));
     }
     let mut failure = None;
-    let stages = QUICK.iter().map(|stage| (stage, goal.enough)).chain(THOROUGH.iter().map(|stage| (stage, goal.acceptable)));
-    for ((takes, stage), enough) in stages {
-        if best.as_ref().is_some_and(|(least, _)| *least <= enough || super::watch::is_over()) {
-            break;
-        }
-        if !takes(problem) {
+    let stages = [(QUICK, goal.enough), (SMOOTHED, goal.acceptable), (ENDING, goal.enough), (THOROUGH, goal.acceptable)];
+    for ((takes, stage), enough) in stages.into_iter().flat_map(|(stages, enough)| stages.iter().map(move |stage| (stage, enough))) {
+        if best.as_ref().is_some_and(|(least, _)| *least <= enough || super::watch::is_over()) || !takes(problem) {
             continue;
         }
         let start = best.as_ref().map(|(_, solution)| &solution.impulse).or(warm_start);

@@ -29,20 +29,24 @@ pub(super) const QUICK: &[(Takes, Stage)] = &[
     (|problem| is_direct(problem) && !is_swept_alone(problem), |problem, _, _| LemkePivoting.solve(problem, None)),
     (is_redundant, |problem, _, stop| interior::and_points(problem, stop)),
     (is_iterated, few_sweeps),
-    (is_iterated, short_newton),
+    (is_iterated, first_newton),
     (is_stuck, |problem, _, stop| interior::and_newton(problem, stop)),
     (is_stuck, |problem, _, stop| interior::and_points(problem, stop)),
     (is_rubbing, |problem, _, stop| smoothing::solve(problem, None, stop)),
     (is_many_and_free, through_sweeps),
     (|problem| is_large(problem) && !is_stuck(problem), |problem, _, stop| interior::and_newton(problem, stop)),
-    (is_iterated, newton),
-    (is_principal, principal_pivots),
 ];
+
+/// What follows where the answer is not good enough yet for the certificate, [`ACCEPTABLE`]; what is goes on to Newton's last steps.
+pub(super) const SMOOTHED: &[(Takes, Stage)] = &[(is_smoothed_soon, |problem, _, stop| smoothing::briefly(problem, stop))];
+
+/// What ends the quick ones, until the goal's `enough`.
+pub(super) const ENDING: &[(Takes, Stage)] = &[(is_iterated, newton), (is_principal, principal_pivots)];
 
 /// Those that follow where the answer is not good enough yet for the certificate, [`ACCEPTABLE`].
 pub(super) const THOROUGH: &[(Takes, Stage)] = &[
     (is_iterated, |problem, _, stop| ProximalNewton { steps: STEPS_IN_AUTO, tolerance: stop, ..Default::default() }.solve(problem, None)),
-    (|problem| is_smoothed(problem) && !is_rubbing(problem), |problem, _, stop| smoothing::solve(problem, None, stop)),
+    (is_smoothed_late, |problem, _, stop| smoothing::solve(problem, None, stop)),
     (has_second_order_cone, patient_points),
     (has_blocks, |problem, _, stop| newton(problem, None, stop)),
     (is_pivoted_soon, |problem, _, _| LemkePivoting.solve(problem, None)),
@@ -130,6 +134,12 @@ fn has_blocks(problem: &ContactProblem) -> bool {
 }
 
 /// A few steps of Newton's method, which end most problems; where they do not, others lead it.
+fn first_newton(problem: &ContactProblem, start: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
+    let steps = if is_smoothed_soon(problem) { tolerance::STEPS_OF_FEW } else { tolerance::SHORT_STEPS };
+    NonsmoothNewton { steps, starts: 1, tolerance: stop, ..Default::default() }.solve(problem, start)
+}
+
+/// Newton's last steps.
 fn short_newton(problem: &ContactProblem, start: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
     NonsmoothNewton { steps: tolerance::SHORT_STEPS, starts: 1, tolerance: stop, ..Default::default() }.solve(problem, start)
 }
@@ -173,6 +183,16 @@ fn is_large(problem: &ContactProblem) -> bool {
 /// Whether Fischer and Burmeister's equations are for it, and their steps cost little.
 fn is_smoothed(problem: &ContactProblem) -> bool {
     is_iterated(problem) && has_second_order_cone(problem) && (has_blocks(problem) || problem.contacts() <= tolerance::SMOOTHED_CONTACTS)
+}
+
+/// Whether these equations end it sooner than all starts of Newton's method: friction at so few contacts that a factor of all costs little.
+fn is_smoothed_soon(problem: &ContactProblem) -> bool {
+    is_smoothed(problem) && !is_rubbing(problem) && !problem.is_frictionless() && problem.contacts() <= tolerance::SMOOTHED_CONTACTS
+}
+
+/// Whether they are for it and were not tried.
+fn is_smoothed_late(problem: &ContactProblem) -> bool {
+    is_smoothed(problem) && !is_rubbing(problem) && !is_smoothed_soon(problem)
 }
 
 /// All but a compliance on edges.
