@@ -117,6 +117,8 @@ pub fn advice(error: &Error) -> Option<String> {
         _ => return None,
     };
     let done = match &kind {
+        // it was read as one: what is wrong is in it
+        Kind::Toml(schema) if schema == crate::gate::baseline::SCHEMA => return None,
         Kind::Json(schema) | Kind::Toml(schema) => DONE.iter().find(|(known, _)| known == schema)?.1,
         Kind::Hdf5 | Kind::Numbers => DONE[0].1,
         Kind::Unknown => return None,

@@ -222,6 +222,16 @@ fn an_answer_of_a_time_limit_is_marked() {
     );
     let run = moreau(&words);
     assert!(run.output.contains("another run need not find"), "{}", run.output);
+    // so does the file, and who judges it hears of it
+    let written = std::fs::read_to_string(&answer).expect("written");
+    assert!(written.contains(r#""reproducible":false"#), "{written}");
+    let judged = moreau(&["certify", &empty, &answer]);
+    assert!(judged.output.contains("another run need not find"), "{}", judged.output);
+    // an answer of no limit has no mark, nor need it have one
+    let block = folder.file("block.json", PROBLEM);
+    assert_eq!(moreau(&["solve", &block, "--out", &answer, "--time-limit", "1e5"]).code, 0);
+    assert!(!std::fs::read_to_string(&answer).expect("written").contains("reproducible"));
+    assert!(!moreau(&["certify", &block, &answer]).output.contains("another run"));
     for (option, value) in [("--time-limit", "0"), ("--time-limit", "nan"), ("--tolerance", "-1")] {
         moreau(&["solve", &empty, option, value]).is_refused(&[option]);
     }

@@ -18,7 +18,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "command")]
     pub trajectory: Vec<PathBuf>,
     /// The description that goes with --trajectory, a JSON file as `describe` returns it; without it the engine is taken for rigid.
-    #[arg(long, value_name = "FILE", requires = "trajectory")]
+    #[arg(long, value_name = "FILE")]
     pub description: Option<PathBuf>,
     /// Only the checks of contact solvers.
     #[arg(long, conflicts_with_all = ["trajectory", "projection"])]

@@ -47,6 +47,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     if let Some(folder) = &arguments.write_scenes {
         return scenes::write(folder, &checks, &sweep);
     }
+    subject::require_motions(arguments)?;
     arguments.keep_files()?;
     let required = required(arguments.require)?;
     let baseline = arguments.baseline.as_deref().map(|file| baseline(file, &sweep, &checks)).transpose()?;
@@ -74,7 +75,14 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
             watched.written = changes.and_then(|changes| arguments.write(report, changes.as_deref(), (&watched.times, today), false));
         }
     };
-    let adapter = if arguments.trajectory.is_empty() { conformance::misreported(make().as_mut(), &plan.options) } else { Vec::new() };
+    let adapter = match arguments.trajectory[..] {
+        [] => conformance::misreported(make().as_mut(), &plan.options),
+        _ => Ok(Vec::new()),
+    };
+    let adapter = match adapter {
+        Ok(adapter) => adapter,
+        Err(refusal) => return cannot_run(&refusal),
+    };
     let answer = runner::run_watched(make.as_ref(), &plan, &watch);
     bar.finish_and_clear();
     let Watched { times, written } = watched.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);

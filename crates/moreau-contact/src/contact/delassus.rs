@@ -241,18 +241,23 @@ pub(super) const UNMOVED: &str =
     "use finite numbers; static bodies and prescribed velocities need a scheme that takes M body by body, such as `moreau-jean`";
 
 fn symmetric<T: Scalar>(mass: &DMatrix<T>) -> Result<()> {
-    let n = mass.nrows();
-    for i in 0..n {
-        for j in 0..i {
-            let difference = (mass[(i, j)].clone() - mass[(j, i)].clone()).magnitude();
-            let size = mass[(i, i)].magnitude() + mass[(j, j)].magnitude();
-            if difference > rounding::<T>(n) * size {
-                let problem = format!("is not symmetric at ({i}, {j})");
-                return Err(Error::invalid("mass", problem, "give a symmetric mass matrix"));
-            }
-        }
+    match asymmetric_entry(mass) {
+        None => Ok(()),
+        Some((i, j)) => Err(Error::invalid("mass", format!("is not symmetric at ({i}, {j})"), SYMMETRIC)),
     }
-    Ok(())
+}
+
+/// What to do about an M that is not symmetric.
+pub(crate) const SYMMETRIC: &str = "give a symmetric mass matrix";
+
+/// The first entry of a square M that differs from its mirrored one by more than their rounding.
+pub(crate) fn asymmetric_entry<T: Scalar>(mass: &DMatrix<T>) -> Option<(usize, usize)> {
+    let n = mass.nrows();
+    let differ = |i: usize, j: usize| {
+        let difference = (mass[(i, j)].clone() - mass[(j, i)].clone()).magnitude();
+        difference > rounding::<T>(n) * (mass[(i, i)].magnitude() + mass[(j, j)].magnitude())
+    };
+    (0..n).flat_map(|i| (0..i).map(move |j| (i, j))).find(|&(i, j)| differ(i, j))
 }
 
 #[cfg(test)]

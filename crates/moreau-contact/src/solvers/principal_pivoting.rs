@@ -214,7 +214,7 @@ fn through(
 ) -> Result<Solution> {
     let form = Form::frictionless(problem, name)?;
     super::start(problem, warm_start)?;
-    let lcp = form.lcp(problem)?;
+    let lcp = form.lcp(problem, name)?;
     let scaled = form.scaled(problem, &lcp);
     match basis(&scaled.lcp)? {
         PrincipalOutcome::Basis(support, pivots) => {

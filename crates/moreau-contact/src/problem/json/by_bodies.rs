@@ -2,6 +2,7 @@
 
 use super::matrix::MatrixFile;
 use super::sparse_rows::SparseRows;
+use crate::contact::delassus::{SYMMETRIC, asymmetric_entry};
 use crate::operator::{BlockRows, MatrixFree};
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
@@ -57,7 +58,12 @@ fn read_masses(blocks: Vec<Vec<f64>>, velocities: usize) -> Result<Vec<DMatrix<f
             ));
         }
         sum += size;
-        masses.push(DMatrix::from_row_slice(size, size, &block));
+        let mass = DMatrix::from_row_slice(size, size, &block);
+        if let Some((i, j)) = asymmetric_entry(&mass) {
+            let problem = format!("is not symmetric: ({i}, {j}) is {} and ({j}, {i}) is {}", mass[(i, j)], mass[(j, i)]);
+            return Err(Error::invalid(format!("mass.diagonal_blocks[{body}]"), problem, SYMMETRIC));
+        }
+        masses.push(mass);
     }
     if sum == velocities {
         return Ok(masses);

@@ -29,7 +29,7 @@ pub(super) struct MatrixFile {
     /// Block by block, of W only, each place at most once.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) blocks: Option<BlocksFile>,
-    /// Of the mass only: the blocks M_b \[kg\] of all bodies, one after the other along the diagonal, each row by row.
+    /// Of the mass only: the blocks M_b \[kg\] of all bodies, each symmetric, one after the other along the diagonal, row by row.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) diagonal_blocks: Option<Vec<Vec<f64>>>,
     /// Of the Jacobian only, with a mass of diagonal blocks.
