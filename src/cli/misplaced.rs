@@ -29,7 +29,8 @@ fn right_form(error: &Error, program: &Command, words: &[String]) -> Option<Stri
     }
     let Some(option) = given.strip_prefix("--") else {
         let last = command.get_positionals().find(|place| place.is_last_set());
-        let nameless = NAMELESS.iter().find(|(name, _)| *name == command.get_name());
+        let is_given = |option: &str| words.iter().any(|word| word.split('=').next() == Some(option));
+        let nameless = NAMELESS.iter().find(|(name, option)| *name == command.get_name() && !is_given(option));
         return match (last, nameless) {
             (Some(_), _) => Some(format!("{written} -- {given}")),
             (None, Some((_, option))) => Some(format!("{written} {option} {given}")),
@@ -72,7 +73,11 @@ mod tests {
             let message = said(words);
             assert!(message.contains(&format!("tip: use `{form}`")), "{words}: {message}");
         }
-        for (words, tip) in [("moreau solve p.json --solvr pgs", "--solver"), ("moreau simulate --scene x --nonsense", "")] {
+        for (words, tip) in [
+            ("moreau solve p.json --solvr pgs", "--solver"),
+            ("moreau simulate --scene x --nonsense", ""),
+            ("moreau simulate --scene=x y", ""),
+        ] {
             let message = said(words);
             assert!(!message.contains("use `moreau") && message.contains(tip), "{words}: {message}");
         }

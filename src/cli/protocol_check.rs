@@ -6,8 +6,8 @@ use super::{Answer, Format, number, progress};
 use crate::Result;
 use crate::gate::conformance::conformance_heard;
 use crate::gate::process::{Limits, end_engines_on_interrupt};
-use crate::report::gate::conformance::text;
 use crate::number::significant;
+use crate::report::gate::conformance::text;
 use crate::report::json::pretty;
 
 /// Check an adapter: does it speak moreau-engine/1, and does it report what the protocol means?
@@ -34,7 +34,8 @@ Examples:
   moreau protocol-check -- python3 my_engine.py
   moreau protocol-check --format json -- ./my-engine --stdio
 
-Exit codes: 0 no probe found a problem; 1 one did; 2 usage; 3 the adapter could not be started.";
+Exit codes: 0 no probe found a problem; 1 one did; 2 usage; 3 the adapter could not be started;
+130 interrupted, by Ctrl-C, SIGTERM or SIGHUP, after the adapter was ended.";
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
@@ -42,7 +43,8 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let reply = of_reply("--time-limit", arguments.time_limit)?;
     let limits = Limits { reply, start: reply, ..Limits::default() };
     let bar = progress::word("");
-    let asked = |name: &str| bar.set_message(format!("{name} waits for the adapter, {} s at most for a reply", significant(arguments.time_limit)));
+    let asked =
+        |name: &str| bar.set_message(format!("{name} waits for the adapter, {} s at most for a reply", significant(arguments.time_limit)));
     match progress::shown(&bar, || conformance_heard(&arguments.command, limits, &asked)) {
         Ok(outcome) => {
             print(&match arguments.format {

@@ -23,7 +23,19 @@ const MODES: [Mode; 7] = [
         command: "gate",
         asked: "trajectory",
         counting: &[
-            "description", "quick", "steps", "only", "skip", "jobs", "require", "baseline", "save_baseline", "junit", "html", "out", "format",
+            "description",
+            "quick",
+            "steps",
+            "only",
+            "skip",
+            "jobs",
+            "require",
+            "baseline",
+            "save_baseline",
+            "junit",
+            "html",
+            "out",
+            "format",
         ],
     },
     Mode { command: "simulate", asked: "list", counting: &["format"] },
@@ -49,7 +61,9 @@ pub fn refuse(program: &Command, matches: &ArgMatches) -> Result<()> {
 pub fn named(argument: &Arg) -> String {
     match argument.get_long() {
         Some(long) => format!("--{long}"),
-        None => argument.get_value_names().and_then(|names| names.first()).map_or_else(|| argument.get_id().to_string(), ToString::to_string),
+        None => {
+            argument.get_value_names().and_then(|names| names.first()).map_or_else(|| argument.get_id().to_string(), ToString::to_string)
+        }
     }
 }
 

@@ -208,6 +208,27 @@ fn a_start_the_history_and_the_tolerance_that_was_asked_for() {
 }
 
 #[test]
+fn numbers_too_large_to_be_squared_are_told_in_words_and_the_answer_is_rejected() {
+    let folder = Folder::new("solve-huge");
+    let answer = folder.path("answer.json");
+    for (fast, mass) in [("1e308", "1"), ("1.7e308", "1"), ("1e308", "1e-308"), ("1", "1e-308")] {
+        let huge =
+            PROBLEM.replace("[-1, 2]", &format!("[-{fast}, {fast}]")).replace("[[1, 0], [0, 1]]", &format!("[[{mass}, 0], [0, {mass}]]"));
+        let problem = folder.file("huge.json", &huge);
+        for solver in ["auto", "pgs", "lemke"] {
+            let run = moreau(&["solve", &problem, "--solver", solver, "--out", &answer, "--history"]);
+            let said = format!("{}{}", run.output, run.message);
+            assert!(run.code == 1 && !said.contains("NaN"), "{fast} {mass} {solver}: {said}");
+            assert!(said.contains("is no number, so that nothing is shown") || said.contains("too large for a number"), "{said}");
+            if let Ok(written) = std::fs::read_to_string(&answer) {
+                assert!(!written.contains("NaN") && !written.contains("\"impulse\":[null"), "{written}");
+                std::fs::remove_file(&answer).expect("removable");
+            }
+        }
+    }
+}
+
+#[test]
 fn an_answer_of_a_time_limit_is_marked() {
     let folder = Folder::new("solve-time");
     // W = 0: no impulse stops the block, and the iteration would go on

@@ -5,6 +5,7 @@ use libtest_mimic::Trial;
 use moreau::gate::Options;
 use moreau::gate::conformance::{Conformance, ProbeOutcome, conformance, conformance_heard, misreported};
 use moreau::gate::process::{Fate, Limits, ProcessEngine};
+use std::cell::RefCell;
 use std::time::Duration;
 
 /// Mistakes with the probes that must find them – no others may complain – and words of their report.
@@ -102,7 +103,8 @@ pub fn all() -> Vec<Trial> {
     trials.push(Trial::test("the_gate_tells_what_is_wrong_with_description_and_motion_before_any_check", || {
         for (mistake, expected) in [("sound", &[][..]), ("own-law", &["describe/law"]), ("forces", &["contacts/impulse"])] {
             let mut engine = ProcessEngine::new(this_program(&["--adapter", mistake]), LIMITS);
-            let found: Vec<_> = misreported(&mut engine, &Options::new()).expect("it describes itself").into_iter().map(|probe| probe.probe).collect();
+            let found: Vec<_> =
+                misreported(&mut engine, &Options::new()).expect("it describes itself").into_iter().map(|probe| probe.probe).collect();
             assert_eq!(found, expected, "{mistake}");
         }
         Ok(())

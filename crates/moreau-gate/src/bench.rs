@@ -8,7 +8,7 @@ use crate::{Description, Engine, Options, Refusal, Reply};
 use moreau_contact::problem::{ContactProblem, Solution};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::trajectory::Trajectory;
-use moreau_exact::number::significant;
+use moreau_exact::number::{counted, significant};
 
 /// An engine on the bench, under fixed options.
 pub struct Bench<'a> {
@@ -115,7 +115,7 @@ impl<'a> Bench<'a> {
         let solution = self.engine.solve(problem, self.options)?;
         for (field, vector) in [("impulse", &solution.impulse), ("velocity", &solution.velocity)] {
             if vector.len() != problem.rows() {
-                return Err(Refusal::Errored(format!("`{field}` has {} entries instead of {}", vector.len(), problem.rows())));
+                return Err(Refusal::Errored(format!("`{field}` has {} instead of {}", counted(vector.len(), "entry"), problem.rows())));
             }
             if vector.iter().any(|x| !x.is_finite()) {
                 return Err(Refusal::Errored(format!("`{field}` is not finite")));
@@ -187,7 +187,7 @@ fn answers(trajectory: &Trajectory, scene: &Scene, time_step: f64, steps: usize,
     }
     let samples = steps / sample_every + 1;
     if trajectory.times.len() != samples {
-        return Err(format!("the trajectory has {} samples instead of {samples}", trajectory.times.len()));
+        return Err(format!("the trajectory has {} instead of {samples}", counted(trajectory.times.len(), "sample")));
     }
     for (k, time) in trajectory.times.iter().enumerate() {
         let expected = (k * sample_every) as f64 * time_step;

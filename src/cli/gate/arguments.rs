@@ -101,4 +101,5 @@ Examples:
   moreau gate --explain ball/energy
 
 Exit codes: 0 nothing is bad (or nothing worse than the baseline); 1 a check fails or errors, or a regression,
-or less is answered than --require; 2 usage; 3 the engine could not be run.";
+or less is answered than --require; 2 usage; 3 the engine could not be run;
+130 interrupted, by Ctrl-C, SIGTERM or SIGHUP, after its engines were ended.";

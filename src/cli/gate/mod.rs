@@ -15,6 +15,7 @@ use crate::gate::baseline::{Baseline, Change, ChangeKind};
 use crate::gate::conformance;
 use crate::gate::runner::{self, Plan};
 use crate::gate::{Check, Refusal, Report, Verdict};
+use crate::number::counted;
 use crate::report::gate::{junit, page, text};
 use crate::report::json::pretty;
 use crate::{Error, Result};
@@ -143,7 +144,8 @@ fn is_enough(report: &Report, required: Option<f64>) -> bool {
     let is_enough = required.map_or(answered > 0, |percent| 100.0 * answered as f64 >= percent * count as f64);
     if !is_enough {
         let wanted = required.map_or("at least one is needed".to_string(), |percent| format!("--require asks for {percent} %"));
-        print_aside(&format!("{answered} of {count} checks were answered with pass or difference; {wanted}\n"));
+        let checks = counted(count, "check");
+        print_aside(&format!("{answered} of {checks} were answered with pass or difference; {wanted}\n"));
     }
     is_enough
 }

@@ -1,7 +1,6 @@
 //! What `moreau gate` judges: a program, or stored trajectories.
 
 use super::Arguments;
-use crate::{Error, Result};
 use crate::cli::output::print_aside;
 use crate::cli::time_limit::of_reply;
 use crate::gate::audit::audit;
@@ -10,6 +9,7 @@ use crate::gate::process::{Limits, ProcessEngine, end_engines_on_interrupt};
 use crate::gate::{Engine, Report, Verdict};
 use crate::number::significant;
 use crate::trajectory::Trajectory;
+use crate::{Error, Result};
 
 /// Makes engines for the workers.
 pub fn maker(arguments: &Arguments) -> Result<Box<dyn Fn() -> Box<dyn Engine> + Sync>> {

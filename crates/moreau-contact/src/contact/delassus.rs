@@ -4,6 +4,7 @@
 //! and L Y = Hᵀ it is W = Yᵀ D⁻¹ Y: symmetric and positive semidefinite by construction, and free of square roots, so
 //! the same code serves `f64` and exact rationals.
 
+use moreau_exact::number::counted;
 use moreau_exact::scalar::{Rational, Scalar};
 use moreau_exact::witness::{Witness, decided, rational};
 use moreau_exact::{Error, Result};
@@ -41,8 +42,12 @@ pub fn delassus<T: Scalar>(mass: &DMatrix<T>, jacobian: &DMatrix<T>) -> Result<D
 /// [`Error::Invalid`] if H has another number of columns than M, or a number that is not finite.
 pub fn delassus_factored<T: Scalar>(factor: &MassFactor<T>, jacobian: &DMatrix<T>) -> Result<DMatrix<T>> {
     if jacobian.ncols() != factor.pivots.len() {
-        let problem = format!("has {} columns", jacobian.ncols());
-        return Err(Error::invalid("jacobian", problem, format!("give {} columns, one per row of the mass matrix", factor.pivots.len())));
+        let problem = format!("has {}", counted(jacobian.ncols(), "column"));
+        return Err(Error::invalid(
+            "jacobian",
+            problem,
+            format!("give {}, one per row of the mass matrix", counted(factor.pivots.len(), "column")),
+        ));
     }
     finite("jacobian", jacobian)?;
     let mut half = jacobian.transpose();

@@ -4,6 +4,8 @@
 //!     invalid type: string "x", expected f64      →      is the text "x"; give a number
 //! ```
 
+use moreau_exact::number::counted;
+
 /// What is wrong with a value, and what would be right.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -27,7 +29,7 @@ pub fn told(message: &str) -> Option<Told> {
     // a text that is quoted may have the same words in it
     let (found, expected) = message.rsplit_once(", expected ")?;
     let problem = match found.strip_prefix("invalid length ") {
-        Some(count) => format!("has {count} entries"),
+        Some(count) => format!("has {}", counted(count.parse().ok()?, "entry")),
         None => format!("is {}", value(found.strip_prefix("invalid type: ").or_else(|| found.strip_prefix("invalid value: "))?)),
     };
     Some(Told { problem, cure: format!("give {}", wanted(expected)) })

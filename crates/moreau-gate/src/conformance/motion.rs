@@ -8,6 +8,7 @@ use crate::tolerance::conformance::{FREE_FALL, RESTITUTION, STEP, same_state};
 use crate::{Description, Engine, Options, Refusal};
 use moreau_dynamics::scenes::{Body, Scene};
 use moreau_dynamics::trajectory::{BodyTrack, Trajectory};
+use moreau_exact::number::counted;
 use nalgebra::{Vector3, Vector4};
 
 /// The motion of a scene, or why there is none to look at.
@@ -94,7 +95,7 @@ fn samples(trajectory: &Trajectory, scene: &Scene, every: usize) -> Seen {
         "report the engine's step, as it was asked for",
     )?;
     let (count, expected) = (trajectory.times.len(), STEPS / every + 1);
-    let why = || format!("there are {count} samples instead of {expected}");
+    let why = || format!("there are {count} instead of {expected}", count = counted(count, "sample"));
     demand(count == expected, why, missing_sample(count, expected, every))?;
     let late = (0..expected).find(|&k| (trajectory.times[k] - (k * every) as f64 * STEP).abs() > SAME_TIME * scene.duration);
     match late {

@@ -4,6 +4,7 @@ use super::matrix::MatrixFile;
 use super::sparse_rows::SparseRows;
 use crate::contact::delassus::{SYMMETRIC, asymmetric_entry};
 use crate::operator::{BlockRows, MatrixFree};
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
 
@@ -50,7 +51,7 @@ fn read_masses(blocks: Vec<Vec<f64>>, velocities: usize) -> Result<Vec<DMatrix<f
     for (body, block) in blocks.into_iter().enumerate() {
         let size = block.len().isqrt();
         if size * size != block.len() || size == 0 {
-            let problem = format!("has {} entries", block.len());
+            let problem = format!("has {}", counted(block.len(), "entry"));
             return Err(Error::invalid(
                 format!("mass.diagonal_blocks[{body}]"),
                 problem,
@@ -68,7 +69,7 @@ fn read_masses(blocks: Vec<Vec<f64>>, velocities: usize) -> Result<Vec<DMatrix<f
     if sum == velocities {
         return Ok(masses);
     }
-    let problem = format!("have {sum} rows together");
+    let problem = format!("have {} together", counted(sum, "row"));
     Err(Error::invalid("mass.diagonal_blocks", problem, format!("give {velocities}, as `shape` says")))
 }
 
