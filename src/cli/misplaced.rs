@@ -11,6 +11,8 @@ const NAMELESS: [(&str, &str); 5] =
 /// Adds the right form to the message of an unexpected argument, where there is one.
 pub fn advise(mut error: Error, program: &Command, words: &[String]) -> Error {
     if let Some(form) = right_form(&error, program, words) {
+        // what merely looks alike is no other advice
+        error.remove(ContextKind::SuggestedArg);
         error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![format!("use `{form}`").into()]));
     }
     error

@@ -100,7 +100,7 @@ fn usage_errors_name_the_option_and_run_nothing() {
         moreau(&["protocol-check", "--time-limit", limit, "--", "true"]).is_refused(&["`--time-limit`", "up to 1e9 seconds"]);
     }
     gate(&["--description", "d.json"], "moreau-jean").is_refused(&["--description", "without --trajectory", "leave it out"]);
-    gate(&["--list"], "moreau-jean").is_refused(&["`--steps`: does nothing beside --list"]);
+    moreau(&["gate", "--list", "--steps", "0.1"]).is_refused(&["`--steps`: does nothing beside --list"]);
     let folder = Folder::new("gate-usage");
     let same = folder.path("same");
     gate(&["--html", &same, "--junit", &same], "moreau-jean").is_refused(&["same file"]);

@@ -215,7 +215,7 @@ fn numbers_too_large_to_be_squared_are_told_in_words_and_the_answer_is_rejected(
         let huge =
             PROBLEM.replace("[-1, 2]", &format!("[-{fast}, {fast}]")).replace("[[1, 0], [0, 1]]", &format!("[[{mass}, 0], [0, {mass}]]"));
         let problem = folder.file("huge.json", &huge);
-        for solver in ["auto", "pgs", "lemke"] {
+        for solver in ["auto", "pgs", "psor"] {
             let run = moreau(&["solve", &problem, "--solver", solver, "--out", &answer, "--history"]);
             let said = format!("{}{}", run.output, run.message);
             assert!(run.code == 1 && !said.contains("NaN"), "{fast} {mass} {solver}: {said}");

@@ -102,7 +102,7 @@ mod tests {
             ("invalid type: map, expected a sequence", "is an object", "give a list in square brackets"),
             ("invalid type: sequence, expected struct Pair", "is a list", "give an object in braces"),
             ("invalid type: boolean `true`, expected a map", "is true", "give an object in braces"),
-            ("invalid length 1, expected an array of length 2", "has 1 entries", "give a list of 2 entries"),
+            ("invalid length 1, expected an array of length 2", "has 1 entry", "give a list of 2 entries"),
             ("unknown variant `x`, expected one of `a`, `b`", "is `x`", "use one of `a`, `b`"),
             ("invalid type: integer `1`, expected a matrix as {}", "is 1", "give a matrix as {}"),
         ];

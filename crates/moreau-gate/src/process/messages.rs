@@ -302,7 +302,7 @@ mod tests {
         assert_eq!(points(r#"{"points":[[1,0.5]]}"#, &asked).expect("well formed"), [[1.0, 0.5]]);
         let short = r#"{"schema":"solution/1","impulse":[1],"velocity":[0]}"#;
         assert!(solution(short, 1).is_ok());
-        assert!(solution(short, 2).expect_err("too short").to_string().contains("`impulse`: has 1 entries"));
+        assert!(solution(short, 2).expect_err("too short").to_string().contains("`impulse`: has 1 entry"));
         let bad = r#"{"name":"x","version":"1","precision":"half"}"#;
         assert!(description(bad).expect_err("unknown precision").to_string().contains("`precision`"));
     }

@@ -177,7 +177,7 @@ fn every_mistake_is_named() {
     refused(&BLOCK.replace("\"dimension\":2", "\"dimension\":3"), &["dimension", "is 3", "2 rows"]);
     refused(&BLOCK.replace("[0.5]", "[0.5,0.5]"), &["field `friction`: has size 2; give 1"]);
     refused(&BLOCK.replace("[0.5]", "[]"), &["field `friction`: has size 0; give 1"]);
-    let others = "give size 2, for 1 contacts with 2 rows each: `friction` has 1 entries, `dimension` is 2 and `delassus` has 2 rows";
+    let others = "give size 2, for 1 contact with 2 rows each: `friction` has 1 entry, `dimension` is 2 and `delassus` has 2 rows";
     for (velocity, size) in [("[-0.1]", 1), ("[-0.1,1,2]", 3), ("[]", 0)] {
         let short = BLOCK.replace("[-0.1,0.30000000000000004]", velocity);
         refused(&short, &[&format!("field `free_velocity`: has size {size}; {others}")]);
@@ -185,7 +185,7 @@ fn every_mistake_is_named() {
     }
     refused(&BLOCK.replace("contact-problem/1", "lcp"), &["\"lcp\"", "\"contact-problem/1\" or \"lcp/1\""]);
     refused(&BLOCK.replace("\"name\"", "\"nome\""), &["nome"]);
-    refused(&BLOCK.replace("[0.25,3]", "[0.25]"), &["delassus.rows[1]", "1 entries"]);
+    refused(&BLOCK.replace("[0.25,3]", "[0.25]"), &["delassus.rows[1]", "1 entry"]);
     refused(
         &BLOCK.replace("{\"shape\":[2,2],\"rows\":[[1,0.25],[0.25,3]]}", "[[1,0.25],[0.25,3]]"),
         &["`delassus`", "as {\"shape\": [2, 2], \"rows\": [["],
