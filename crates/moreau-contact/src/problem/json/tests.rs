@@ -217,6 +217,7 @@ fn a_solution_comes_back_bit_for_bit() {
         solver: "pgs".into(),
         iterations: 7,
         keys: Some(vec![ContactKey { bodies: [Some(3), None], features: [1, 0] }]),
+        reproducible: Some(false),
     };
     let text = solution.to_json(Some("block"), Some(serde_json::json!({"primal": 0})));
     assert_eq!(Solution::from_json(&text).expect("well formed"), solution);
