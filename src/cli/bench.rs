@@ -247,7 +247,8 @@ fn judge(problem: &Posed, solution: &mut Solution, arguments: &Arguments, run: &
 
 /// The run with its answer in the folder of answers, where there is such a folder.
 fn kept(mut run: Run, solution: Option<Solution>, problem: &Posed, arguments: &Arguments) -> Result<Run> {
-    if let (Some(folder), Some(solution)) = (&arguments.answers, solution) {
+    if let (Some(folder), Some(mut solution)) = (&arguments.answers, solution) {
+        solution.reproducible = (!run.reproducible).then_some(false);
         let name = format!("{}.{}.json", run.problem, run.solver);
         write_atomically(&folder.join(&name), solution.to_json(Some(posed::name(problem)), None).as_bytes())?;
         run.answer = Some(name);

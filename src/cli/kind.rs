@@ -117,11 +117,18 @@ pub fn advice(error: &Error) -> Option<String> {
         _ => return None,
     };
     let done = match &kind {
+        // it was read as one: what is wrong is in it
+        Kind::Toml(schema) if is_of_baseline(error) && schema == crate::gate::baseline::SCHEMA => return None,
         Kind::Json(schema) | Kind::Toml(schema) => DONE.iter().find(|(known, _)| known == schema)?.1,
         Kind::Hdf5 | Kind::Numbers => DONE[0].1,
         Kind::Unknown => return None,
     };
     Some(format!("it is {}: {}", kind.words(), done.replace("FILE", &file.display().to_string())))
+}
+
+/// Whether it is of what reads a baseline.
+fn is_of_baseline(error: &Error) -> bool {
+    matches!(error, Error::InFile { inner, .. } if matches!(&**inner, Error::Invalid { field, .. } if field == MISTAKEN[1]))
 }
 
 /// Fields that are named where a file is of another kind: the schema itself, and what reads TOML has no field for.

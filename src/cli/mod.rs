@@ -1,7 +1,7 @@
 //! The command line: one file per subcommand.
 //!
 //! Exit codes: 0 the answer is yes, 1 the answer is no, 2 the question could not be understood (and nothing was written; of
-//! several files the others are answered), 3 the engine to be judged could not be run.
+//! several files the others are answered), 3 the engine to be judged could not be run, 130 a command with engines was interrupted.
 
 mod answer;
 mod asked;
@@ -21,6 +21,7 @@ mod gate;
 mod kind;
 mod limits;
 mod man;
+mod misplaced;
 pub mod motion;
 mod mujoco_options;
 mod near;
@@ -49,11 +50,12 @@ mod solver_options;
 mod solver_table;
 mod systems;
 mod time_limit;
+mod unused;
 mod verify;
 
 use crate::{Error, Result};
 use answer::{Answer, Format};
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
 use std::process::ExitCode;
 
@@ -95,7 +97,9 @@ Exit codes:
   1  the answer is no
   2  bad input: one message names the file and the field, and nothing is written;
      of several files the others are answered all the same
-  3  the engine to be judged could not be run";
+  3  the engine to be judged could not be run
+  130  `gate`, `protocol-check` and `scoreboard` were interrupted, by Ctrl-C, SIGTERM or SIGHUP: they end the
+     engines first; other commands end as the signal ends them";
 
 #[derive(Subcommand)]
 enum Command {
@@ -127,8 +131,10 @@ pub fn run() -> ExitCode {
 
 /// Runs a command line, which begins with the name of the command, and returns the exit code.
 pub fn run_with<T: Into<OsString> + Clone>(arguments: impl IntoIterator<Item = T>) -> u8 {
-    let arguments = match Arguments::try_parse_from(arguments) {
-        Ok(arguments) => arguments,
+    let words: Vec<OsString> = arguments.into_iter().map(Into::into).collect();
+    let arguments = match parsed(&words) {
+        Ok(Ok(arguments)) => arguments,
+        Ok(Err(error)) => return exit_code(Err(error)),
         Err(message) => {
             // Help and usage errors print themselves; a reader that has gone away changes nothing.
             let _ = message.print();
@@ -157,6 +163,17 @@ pub fn run_with<T: Into<OsString> + Clone>(arguments: impl IntoIterator<Item = T
         Command::Man(arguments) => man::run(&arguments, Arguments::command()),
     };
     exit_code(answer)
+}
+
+/// The arguments, unless one of them is unknown, or would be passed over.
+fn parsed(words: &[OsString]) -> std::result::Result<Result<Arguments>, clap::Error> {
+    let mut program = Arguments::command();
+    let matches = program.try_get_matches_from_mut(words).map_err(|error| {
+        let words: Vec<String> = words.iter().map(|word| word.to_string_lossy().into_owned()).collect();
+        misplaced::advise(error, &program, &words)
+    })?;
+    let arguments = Arguments::from_arg_matches(&matches)?;
+    Ok(unused::refuse(&program, &matches).map(|()| arguments))
 }
 
 fn exit_code(answer: Result<Answer>) -> u8 {

@@ -2,6 +2,7 @@
 
 use super::number;
 use super::owned::{Owned, option};
+use crate::number::counted;
 use crate::schemes::mujoco::{Cone, Integrator, Rotational, Softness};
 use crate::schemes::{Friction, Mujoco};
 use crate::{Error, Result};
@@ -86,7 +87,7 @@ impl MujocoOptions {
 
 /// As many numbers as there have to be.
 fn numbers<const N: usize>(field: &str, given: &[f64]) -> Result<[f64; N]> {
-    given
-        .try_into()
-        .map_err(|_| Error::invalid(field, format!("has {} numbers", given.len()), format!("give {N}, with commas between them")))
+    given.try_into().map_err(|_| {
+        Error::invalid(field, format!("has {}", counted(given.len(), "number")), format!("give {N}, with commas between them"))
+    })
 }

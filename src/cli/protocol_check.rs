@@ -1,13 +1,14 @@
 //! `moreau protocol-check`: tells the author of an adapter what is wrong with it.
 
 use super::output::{print, print_aside, style};
-use super::{Answer, Format, number};
+use super::time_limit::of_reply;
+use super::{Answer, Format, number, progress};
 use crate::Result;
-use crate::gate::conformance::conformance;
+use crate::gate::conformance::conformance_heard;
 use crate::gate::process::{Limits, end_engines_on_interrupt};
+use crate::number::significant;
 use crate::report::gate::conformance::text;
 use crate::report::json::pretty;
-use std::time::Duration;
 
 /// Check an adapter: does it speak moreau-engine/1, and does it report what the protocol means?
 ///
@@ -19,7 +20,8 @@ pub struct Arguments {
     /// The adapter: a command with its arguments.
     #[arg(last = true, value_name = "COMMAND", required = true)]
     command: Vec<String>,
-    /// Seconds the adapter may take for one request.
+    /// Seconds the adapter may take for one request. Where it takes longer when it is asked to describe itself, or twice in a row later,
+    /// nothing more is asked, and the probes left are skipped.
     #[arg(long, value_parser = number::seconds, value_name = "SECONDS", default_value_t = 60.0, allow_negative_numbers = true)]
     time_limit: f64,
     /// How to write the result.
@@ -32,17 +34,18 @@ Examples:
   moreau protocol-check -- python3 my_engine.py
   moreau protocol-check --format json -- ./my-engine --stdio
 
-Exit codes: 0 no probe found a problem; 1 one did; 2 usage; 3 the adapter could not be started.";
+Exit codes: 0 no probe found a problem; 1 one did; 2 usage; 3 the adapter could not be started;
+130 interrupted, by Ctrl-C, SIGTERM or SIGHUP, after the adapter was ended.";
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     end_engines_on_interrupt()?;
-    let reply = Duration::try_from_secs_f64(arguments.time_limit)
-        .ok()
-        .filter(|limit| !limit.is_zero())
-        .ok_or_else(|| crate::Error::invalid("--time-limit", format!("is {}", arguments.time_limit), "use a positive number of seconds"))?;
+    let reply = of_reply("--time-limit", arguments.time_limit)?;
     let limits = Limits { reply, start: reply, ..Limits::default() };
-    match conformance(&arguments.command, limits) {
+    let bar = progress::word("");
+    let asked =
+        |name: &str| bar.set_message(format!("{name} waits for the adapter, {} s at most for a reply", significant(arguments.time_limit)));
+    match progress::shown(&bar, || conformance_heard(&arguments.command, limits, &asked)) {
         Ok(outcome) => {
             print(&match arguments.format {
                 Format::Text => text(&outcome, style()),

@@ -72,7 +72,9 @@ Examples:
   moreau scoreboard --stored                      the stored results; works anywhere
   moreau scoreboard --stored --only mujoco        some engines
   moreau scoreboard --stored --html board.html    with every number
-  moreau scoreboard --only mujoco                 run them, in a checkout";
+  moreau scoreboard --only mujoco                 run them, in a checkout
+
+Exit codes: 0 the table is shown; 2 usage; 130 interrupted, by Ctrl-C, SIGTERM or SIGHUP, after its engines were ended.";
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {

@@ -3,6 +3,7 @@
 use super::kind::advice;
 use super::output::{print, print_aside, table};
 use super::{Answer, Format};
+use crate::number::counted;
 use crate::report::answers::Answers;
 use crate::report::json::pretty;
 use crate::{Error, Result};
@@ -132,7 +133,8 @@ fn without_file(error: &Error) -> String {
 
 /// Tells on standard error that some of the problems are bad input.
 pub fn tell_refused(refused: usize, problems: usize) {
-    print_aside(&format!("error: {refused} of {problems} problems cannot be used; the result says why of each, and has the others\n"));
+    let problems = counted(problems, "problem");
+    print_aside(&format!("error: {refused} of {problems} cannot be used; the result says why of each, and has the others\n"));
 }
 
 /// Prints the answers of a folder; the code is the worst of its problems.
@@ -146,9 +148,9 @@ pub fn show(answers: &Answers, format: Format) -> Result<Answer> {
     })?;
     if answers.missing() > 0 {
         print_aside(&format!(
-            "error: {} of {} problems have no answer; the result says where it is looked for\n",
+            "error: {} of {} have no answer; the result says where it is looked for\n",
             answers.missing(),
-            answers.problems.len()
+            counted(answers.problems.len(), "problem")
         ));
     }
     if answers.refused() > 0 {

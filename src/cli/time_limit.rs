@@ -1,4 +1,4 @@
-//! `--time-limit`: how long a command may compute.
+//! `--time-limit`: how long a command may compute, or an engine may take for one reply.
 
 use crate::number::significant;
 use crate::solvers::watch::Interrupt;
@@ -12,13 +12,26 @@ use std::time::Duration;
 /// # Errors
 /// [`Error::Invalid`] names the option.
 pub fn check(limit: Option<f64>) -> Result<()> {
-    match limit {
-        Some(seconds) if !(seconds > 0.0 && seconds <= LONGEST_SECONDS) => {
-            let cure = format!("give a time above 0 and up to {LONGEST_SECONDS:e} seconds, or leave it out for no limit");
-            Err(Error::invalid("--time-limit", format!("is {}", significant(seconds)), cure))
-        }
-        _ => Ok(()),
+    limit.map_or(Ok(()), |seconds| require("--time-limit", seconds, ", or leave it out for no limit"))
+}
+
+/// How long an engine may take for one reply, or for its first one.
+///
+/// # Errors
+/// [`Error::Invalid`] names the option.
+pub fn of_reply(option: &str, seconds: f64) -> Result<Duration> {
+    require(option, seconds, "")?;
+    // what is less than a nanosecond would be no limit at all
+    Ok(Duration::from_secs_f64(seconds).max(Duration::from_nanos(1)))
+}
+
+/// Refuses what is no time \[s\], with the numbers that are, and with what else there is to do.
+fn require(option: &str, seconds: f64, or: &str) -> Result<()> {
+    if seconds > 0.0 && seconds <= LONGEST_SECONDS {
+        return Ok(());
     }
+    let cure = format!("give a time above 0 and up to {LONGEST_SECONDS:e} seconds{or}");
+    Err(Error::invalid(option, format!("is {}", significant(seconds)), cure))
 }
 
 /// Runs `work`, whose interrupt is given when the time \[s\] is over; before it begins where that is no time at all.

@@ -4,7 +4,7 @@ use crate::certificate::patterns::{Exact, Solutions, solutions};
 use crate::certificate::polyhedral_solutions::{PolyhedralSolutions, polyhedral_solutions};
 use crate::certificate::several::{Distinct, distinct};
 use crate::certificate::spatial::{Velocities, velocities};
-use crate::number::significant;
+use crate::number::{counted, significant};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::scalar::{Rational, Scalar, exact};
 use crate::tolerance::proof::enlarged;
@@ -166,10 +166,14 @@ impl All {
             (1, false) => "the solutions have exactly 1 velocity".into(),
             (count, false) => format!("the solutions have exactly {count} velocities"),
         };
+        let patterns = counted(self.patterns, "pattern");
         match (self.pieces, self.sets) {
-            (Some(pieces), _) => format!("proved by intervals: all {} patterns tried in {pieces} pieces, {count}", self.patterns),
-            (_, Some(sets)) => format!("proved in fractions: all {} complementary cones looked at in {sets} sets, {count}", self.patterns),
-            _ => format!("proved in fractions: all {} patterns tried, {count}", self.patterns),
+            (Some(pieces), _) => format!("proved by intervals: all {patterns} tried in {}, {count}", counted(pieces, "piece")),
+            (_, Some(sets)) => {
+                let (cones, sets) = (counted(self.patterns, "complementary cone"), counted(sets, "set"));
+                format!("proved in fractions: all {cones} looked at in {sets}, {count}")
+            }
+            _ => format!("proved in fractions: all {patterns} tried, {count}"),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::certificate::Certificate;
 use super::no_answer::NoAnswer;
+use super::quantity::short;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write;
@@ -145,7 +146,7 @@ impl Answers {
         let mut text = format!("{:width$} {:>8} {:solvers$} {:>10}\n", "problem", "contacts", "solver", "residual");
         for line in &self.problems {
             let contacts = line.contacts.map_or("-".into(), |contacts| contacts.to_string());
-            let relative = line.relative.map_or("-".into(), |relative| format!("{relative:.1e}"));
+            let relative = line.relative.map_or("-".into(), short);
             let (problem, solver, end) = (&line.problem, line.shown_solver(), line.end());
             let _ = writeln!(text, "{problem:width$} {contacts:>8} {solver:solvers$} {relative:>10}  {end}");
         }

@@ -7,6 +7,7 @@
 //! A problem that a solver does not solve counts with its time in no mean and with τ = ∞ in the profile.
 
 use super::profile::{Cost, within};
+use super::quantity::short;
 use crate::tolerance::bench::{MILLISECOND, SHIFT};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -138,7 +139,7 @@ impl Bench {
             let end = match (&run.failure, run.relative) {
                 (Some(failure), _) => failure.clone(),
                 (None, relative) => {
-                    let [residual, map] = [relative, run.natural_map_one].map(|e| e.map_or("-".into(), |e| format!("{e:.1e}")));
+                    let [residual, map] = [relative, run.natural_map_one].map(|e| e.map_or("-".into(), short));
                     format!(
                         "{residual:>10} {map:>10} {:>10}{}",
                         run.iterations,

@@ -3,6 +3,7 @@
 use super::bound::above;
 use super::lcp_proof::LcpProved;
 use super::near::Near;
+use super::quantity::{NO_NUMBER, short};
 use super::text::{counted, quoted};
 use crate::certificate::backward::{Backward, HeldAs};
 use crate::certificate::forward::Forward;
@@ -164,7 +165,7 @@ impl<'a> Certificate<'a> {
             solutions: None,
             no_solution: None,
             no_number,
-            reproducible: None,
+            reproducible: solution.reproducible,
             not_least_norm: None,
             history: None,
             without_units: false,
@@ -287,20 +288,21 @@ impl<'a> Certificate<'a> {
         let pushing = self.contacts + self.joints.as_ref().map_or(0, |joints| joints.limits);
         for (name, Worst { part, contact, .. }, unit) in self.residuals.contacts.judged.entries().into_iter().chain(bilateral) {
             let unit = self.unit(unit);
-            let [relative, limit] = [part.relative(), part.limit(self.tolerance)].map(significant);
-            let value = with_unit(&significant(part.value), unit);
+            let [value, limit] = [part.value, part.limit(self.tolerance)].map(|number| told(number, unit));
+            let relative = told(part.relative(), "1");
             let mark = if part.relative() <= self.tolerance { ' ' } else { '✗' };
             // what no contact has is worst at none; only joints have velocities then, too
             let is_anywhere = pushing > 0 || (self.joints.is_some() && ["velocity", "bilateral"].contains(&name));
             let at = if is_anywhere { format!("{place} {contact}") } else { format!("no {place}") };
-            line(format!("{mark} {name:18} {value:16} relative {relative:10} limit {:16} {at}", with_unit(&limit, unit)));
+            line(format!("{mark} {name:18} {value:16} relative {relative:10} limit {limit:16} {at}"));
         }
         line("norms over all contacts, shown for comparison only:".into());
         for (name, value, unit) in self.residuals.contacts.norms() {
             let mark = if self.no_number == Some(name) { '✗' } else { ' ' };
-            line(format!("{mark} {name:18} {}", with_unit(&significant(value), self.unit(unit))));
+            line(format!("{mark} {name:18} {}", told(value, self.unit(unit))));
         }
-        if let Some(name) = self.no_number {
+        let of_residuals = || self.residuals.contacts.judged.entries().into_iter().find(|(_, worst, _)| worst.part.value.is_nan());
+        if let Some(name) = self.no_number.or_else(|| of_residuals().map(|(name, ..)| name)) {
             line(format!("{name} is no number, so that nothing is shown: give the problem and its answer in other units"));
         }
         if let Some(proof) = &self.backward {
@@ -327,7 +329,7 @@ impl<'a> Certificate<'a> {
         if let Some(history) = &self.history {
             line(format!("largest relative residual of {}, look by look of the solver:", counted(history.len(), "look")));
             for looks in history.chunks(PER_LINE) {
-                line(format!("  {}", looks.iter().map(|residual| format!("{residual:.1e}")).collect::<Vec<_>>().join(" ")));
+                line(format!("  {}", looks.iter().map(|residual| short(*residual)).collect::<Vec<_>>().join(" ")));
             }
         }
         if let Some(reason) = &self.not_least_norm {
@@ -343,6 +345,11 @@ impl<'a> Certificate<'a> {
         line(format!("{verdict} to the relative tolerance {}", significant(self.tolerance)));
         text
     }
+}
+
+/// A number with its unit, or that it is none.
+fn told(number: f64, unit: &str) -> String {
+    if number.is_nan() { NO_NUMBER.into() } else { with_unit(&significant(number), unit) }
 }
 
 /// So many looks of a solver stand in a line.
@@ -387,6 +394,19 @@ mod tests {
             text.contains("✗ velocity_scale") && text.contains("velocity_scale is no number") && text.contains("NOT a solution"),
             "{text}"
         );
+    }
+
+    #[test]
+    fn a_residual_that_is_no_number_is_told_in_words_with_a_cure() {
+        let fast = dvector![-1e308, 1e308];
+        let problem = ContactProblem::new(DMatrix::identity(2, 2), fast).rows_per_contact(2).friction(vec![0.5]).build().unwrap();
+        let impulse = dvector![1e308, -5e307];
+        let solution = Solution::new("", impulse.clone(), problem.velocity(&impulse), 0);
+        let certificate = Certificate::new(&problem, &solution, &residuals(&problem, &solution).expect("sizes fit"), 1e-8);
+        let text = Certificate { history: Some(vec![f64::NAN, 0.5]), ..certificate }.text();
+        assert!(!text.contains("NaN") && text.contains("✗ dual               no number"), "{text}");
+        assert!(text.contains("  no number 5.0e-1") && text.contains("dual is no number, so that nothing is shown: give "), "{text}");
+        assert!(text.ends_with("NOT a solution to the relative tolerance 1e-8\n"), "{text}");
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use super::bound::above;
 use super::text::quoted;
 use crate::certificate::lcp_proof::{Answer, Count};
-use crate::number::with_unit;
+use crate::number::{counted, with_unit};
 use crate::problem::Lcp;
 use crate::scalar::{Rational, Scalar};
 use nalgebra::DVector;
@@ -93,7 +93,7 @@ impl LcpProved {
         let (solutions, why, points, witness) = match count {
             Count::One(why) => ("one", (*why).into(), Vec::new(), Vec::new()),
             Count::Exactly(points) => {
-                ("several", format!("{size} rows, all complementary cones"), points.iter().map(rounded).collect(), Vec::new())
+                ("several", format!("{}, all complementary cones", counted(size, "row")), points.iter().map(rounded).collect(), Vec::new())
             }
             Count::AtLeast(1, why) => ("some", why.clone(), Vec::new(), Vec::new()),
             Count::AtLeast(_, why) => ("several", why.clone(), Vec::new(), Vec::new()),

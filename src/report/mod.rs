@@ -22,7 +22,7 @@ pub mod peers;
 pub mod problems;
 pub mod profile;
 pub mod proofs;
-mod quantity;
+pub mod quantity;
 pub mod schemas;
 pub mod site;
 pub mod steps;

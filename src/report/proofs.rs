@@ -8,7 +8,7 @@ use crate::certificate::patterns::{Solutions, solutions};
 use crate::certificate::segment::segment;
 use crate::certificate::spatial::{Velocities, velocities};
 use crate::certificate::uniqueness::{Uniqueness, uniqueness};
-use crate::number::significant;
+use crate::number::{counted, significant};
 use crate::problem::{ContactProblem, JointedProblem, Solution};
 use crate::scalar::{Rational, Scalar};
 use crate::tolerance::joints::AGREES;
@@ -112,7 +112,7 @@ impl Proofs {
             lines.extend(end_lines(ends));
         }
         if let Some(first) = self.undecided.first() {
-            lines.push(format!("not proved that these are all velocities: {first} ({} patterns)", self.undecided.len()));
+            lines.push(format!("not proved that these are all velocities: {first} ({})", counted(self.undecided.len(), "pattern")));
         }
         if let Some(refuted) = &self.infeasible {
             lines.push(format!(
@@ -150,7 +150,8 @@ pub fn none_of_the_patterns(problem: &ContactProblem) -> Option<String> {
         Ok(all) => in_plane(all),
         Err(_) => velocities(problem).ok().and_then(in_space),
     }?;
-    Some(format!("proved in fractions: the problem has no solution; all {patterns} patterns of what its contacts may do were tried\n"))
+    let patterns = counted(patterns, "pattern");
+    Some(format!("proved in fractions: the problem has no solution; all {patterns} of what its contacts may do were tried\n"))
 }
 
 /// The same of a problem with joints: they contradict the rest by more than rounding.

@@ -27,6 +27,14 @@ pub(super) fn shown(value: f64, unit: &str, rounding: Option<f64>) -> String {
     }
 }
 
+/// What stands in place of a residual that is none, as where numbers are too large for their squares.
+pub const NO_NUMBER: &str = "no number";
+
+/// A number with two digits, or that it is none.
+pub fn short(number: f64) -> String {
+    if number.is_nan() { NO_NUMBER.into() } else { format!("{number:.1e}") }
+}
+
 /// The defined quantities, one per line.
 pub fn lines(quantities: &[Quantity]) -> String {
     let mut text = String::new();
@@ -41,6 +49,11 @@ pub fn lines(quantities: &[Quantity]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_no_number_is_told_in_words() {
+        assert_eq!([short(f64::NAN), short(0.25), short(f64::INFINITY)], ["no number", "2.5e-1", "inf"]);
+    }
 
     #[test]
     fn undefined_quantities_have_no_line() {

@@ -95,13 +95,13 @@ fn one_mistake_of_size_has_one_message() {
     let problem = folder.file("problem.json", PROBLEM);
     let answer = r#"{"schema": "solution/1", "problem": "block", "impulse": [1, -0.5, 0], "velocity": [0, 1.5, 0]}"#;
     let answer = folder.file("answer.json", answer);
-    let same = ["has size 3; give size 2, for 1 contacts with 2 rows each"];
+    let same = ["has size 3; give size 2, for 1 contact with 2 rows each"];
     moreau(&["certify", &problem, &answer]).is_refused(&same);
     moreau(&["solve", &problem, "--start", &answer]).is_refused(&same);
     moreau(&["problems", "measure", &problem, "--given", &answer]).is_refused(&same);
     moreau(&["solve", &folder.file("long.json", &PROBLEM.replace("[-1, 2]", "[-1, 2, 0]"))]).is_refused(&same);
     let square = PROBLEM.replace("[2, 2]", "[3, 3]");
-    moreau(&["solve", &folder.file("square.json", &square)]).is_refused(&["use the shape 2×2, for 1 contacts with 2 rows each"]);
+    moreau(&["solve", &folder.file("square.json", &square)]).is_refused(&["use the shape 2×2, for 1 contact with 2 rows each"]);
 }
 
 #[test]

@@ -94,12 +94,41 @@ fn usage_errors_name_the_option_and_run_nothing() {
     gate(&["--jobs", "0"], "moreau-jean").is_refused(&["--jobs"]);
     gate(&["--option", "theta"], "moreau-jean").is_refused(&["NAME=VALUE"]);
     gate(&["--baseline", "/nowhere/b.toml"], "moreau-jean").is_refused(&["/nowhere/b.toml"]);
-    gate(&["--time-limit", "-1"], "moreau-jean").is_refused(&["--time-limit"]);
+    for limit in ["-1", "0", "1e20", "nan"] {
+        gate(&["--time-limit", limit], "moreau-jean").is_refused(&["`--time-limit`", "give a time above 0 and up to 1e9 seconds"]);
+        gate(&["--start-limit", limit], "moreau-jean").is_refused(&["`--start-limit`", "up to 1e9 seconds"]);
+        moreau(&["protocol-check", "--time-limit", limit, "--", "true"]).is_refused(&["`--time-limit`", "up to 1e9 seconds"]);
+    }
+    gate(&["--description", "d.json"], "moreau-jean").is_refused(&["--description", "without --trajectory", "leave it out"]);
+    moreau(&["gate", "--list", "--steps", "0.1"]).is_refused(&["`--steps`: does nothing beside --list"]);
     let folder = Folder::new("gate-usage");
     let same = folder.path("same");
     gate(&["--html", &same, "--junit", &same], "moreau-jean").is_refused(&["same file"]);
     let broken = folder.file("broken.toml", "schema = \"gate-baseline/1\"\n");
     gate(&["--baseline", &broken], "moreau-jean").is_refused(&["broken.toml", "engine"]);
+}
+
+#[test]
+fn a_time_step_that_is_longer_than_the_motion_is_told_by_its_option() {
+    let engine = ["--", env!("CARGO_BIN_EXE_moreau"), "engine"];
+    let run = moreau(&[&["gate", "--steps", "10", "--only", "incline/slide"][..], &engine].concat());
+    let said = run.output.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.contains("a time step of 10 s is longer than the motion of this check; take shorter ones with `--steps`"), "{said}");
+    assert!(run.code == 1 && !said.contains("duration") && run.message.contains("0 of 1 check were answered"), "{}", run.message);
+}
+
+#[test]
+fn a_cut_baseline_is_told_as_that_and_no_command_is_advised_for_it() {
+    let folder = Folder::new("gate-cut-baseline");
+    let baseline = folder.path("b.toml");
+    assert_eq!(gate(&["--save-baseline", &baseline], "moreau-jean").code, 0);
+    let whole = std::fs::read_to_string(&baseline).expect("written");
+    for end in [whole.find("unit").expect("a value"), whole.len() / 2] {
+        let cut = folder.file("cut.toml", &whole[..end]);
+        let run = gate(&["--baseline", &cut], "moreau-jean");
+        run.is_refused(&["cut.toml", "take a whole copy of the file, or make a new one"]);
+        assert!(!run.message.contains("takes it"), "{}", run.message);
+    }
 }
 
 #[test]

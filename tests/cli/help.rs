@@ -51,6 +51,15 @@ fn the_list_of_problems_explains_columns_and_groups() {
 }
 
 #[test]
+fn the_exit_code_of_an_interrupt_stands_beside_the_others() {
+    for command in [&[][..], &["gate"], &["protocol-check"], &["scoreboard"]] {
+        let text = help(command);
+        let codes = text.split("Exit code").last().unwrap_or_default();
+        assert!(codes.contains("130") && codes.contains("interrupt"), "{command:?}: {codes}");
+    }
+}
+
+#[test]
 fn no_tolerance_is_written_out_in_zeros() {
     for command in ["certify", "solve", "bench", "simulate", "compare"] {
         let text = help(&[command]);

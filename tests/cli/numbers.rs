@@ -68,13 +68,13 @@ fn a_value_of_a_file_that_is_none_is_told_in_words_of_json_with_its_place() {
         (PROBLEM.replace("[0.5]", "0.5"), "field `friction`: is 0.5", "give a list in square brackets"),
         (PROBLEM.replace("[0.5]", "[null]"), "field `friction[0]`: is null", "give a number"),
         (PROBLEM.replace("\"block\"", "7"), "field `name`: is 7", "give a text in quotation marks"),
-        (PROBLEM.replace("[2, 2]", "[2]"), "field `delassus.shape`: has 1 entries", "give a list of 2 entries"),
+        (PROBLEM.replace("[2, 2]", "[2]"), "field `delassus.shape`: has 1 entry", "give a list of 2 entries"),
         (PROBLEM.replace(&rows, &format!("{rows}, \"compliance\": 5")), "field `compliance`: is 5", "give an object in braces"),
         (PROBLEM.replace(&rows, &format!("{rows}, \"bodies\": [[0, -1]]")), "field `bodies[0][1]`: is -1", "a whole number, 0 or more"),
         (last(PROBLEM, "[0, \"x\"]"), "field `delassus.rows[1][1]`: is the text \"x\"", "give a number"),
         (last(&by_mass, "[0, [1]]"), "field `jacobian.rows[1][1]`: is a list", "give a number"),
         (last(&by_mass, "[0, 1e999]"), "field `jacobian.rows[1][1]`: number out of range", "use a finite number"),
-        (last(&by_mass, "[0]"), "field `jacobian.rows[1]`: has 1 entries", "give 2 entries, as `shape` says"),
+        (last(&by_mass, "[0]"), "field `jacobian.rows[1]`: has 1 entry", "give 2 entries, as `shape` says"),
         (last(&by_mass, "5"), "field `jacobian.rows[1]`: is 5", "give a list in square brackets"),
     ];
     for (text, place, cure) in cases {

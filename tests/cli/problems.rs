@@ -79,6 +79,20 @@ fn a_problem_is_measured_and_one_without_solution_is_answered_no() {
 }
 
 #[test]
+fn a_measurement_that_a_time_limit_ended_is_marked() {
+    let folder = Folder::new("problems-measured-in-time");
+    assert_eq!(moreau(&["problems", "export", "box-25-points", &folder.path("")]).code, 0);
+    let problem = folder.path("box-25-points.json");
+    let ask = |limit: &str| moreau(&["problems", "measure", &problem, "--time-limit", limit, "--format", "json"]);
+    let (ended, whole) = (ask("1e-9").json(), ask("1e5").json());
+    assert_eq!((&ended["reproducible"], whole.get("reproducible")), (&false.into(), None));
+    let told = |json: &serde_json::Value| json.to_string().matches("ended by the time limit").count();
+    assert!(told(&ended) > 3 && told(&whole) == 0, "{ended}");
+    assert!(moreau(&["problems", "measure", &problem, "--time-limit", "1e-9"]).output.contains("another run need not find the same"));
+    moreau(&["problems", "measure", &problem, "--time-limit", "0"]).is_refused(&["--time-limit", "above 0"]);
+}
+
+#[test]
 fn every_solver_is_measured_and_shown_or_said_to_be_left_out() {
     let folder = Folder::new("problems-left-out");
     assert_eq!(moreau(&["problems", "export", "single-slide", &folder.path("")]).code, 0);

@@ -208,6 +208,27 @@ fn a_start_the_history_and_the_tolerance_that_was_asked_for() {
 }
 
 #[test]
+fn numbers_too_large_to_be_squared_are_told_in_words_and_the_answer_is_rejected() {
+    let folder = Folder::new("solve-huge");
+    let answer = folder.path("answer.json");
+    for (fast, mass) in [("1e308", "1"), ("1.7e308", "1"), ("1e308", "1e-308"), ("1", "1e-308")] {
+        let huge =
+            PROBLEM.replace("[-1, 2]", &format!("[-{fast}, {fast}]")).replace("[[1, 0], [0, 1]]", &format!("[[{mass}, 0], [0, {mass}]]"));
+        let problem = folder.file("huge.json", &huge);
+        for solver in ["auto", "pgs", "psor"] {
+            let run = moreau(&["solve", &problem, "--solver", solver, "--out", &answer, "--history"]);
+            let said = format!("{}{}", run.output, run.message);
+            assert!(run.code == 1 && !said.contains("NaN"), "{fast} {mass} {solver}: {said}");
+            assert!(said.contains("is no number, so that nothing is shown") || said.contains("too large for a number"), "{said}");
+            if let Ok(written) = std::fs::read_to_string(&answer) {
+                assert!(!written.contains("NaN") && !written.contains("\"impulse\":[null"), "{written}");
+                std::fs::remove_file(&answer).expect("removable");
+            }
+        }
+    }
+}
+
+#[test]
 fn an_answer_of_a_time_limit_is_marked() {
     let folder = Folder::new("solve-time");
     // W = 0: no impulse stops the block, and the iteration would go on
@@ -222,6 +243,16 @@ fn an_answer_of_a_time_limit_is_marked() {
     );
     let run = moreau(&words);
     assert!(run.output.contains("another run need not find"), "{}", run.output);
+    // so does the file, and who judges it hears of it
+    let written = std::fs::read_to_string(&answer).expect("written");
+    assert!(written.contains(r#""reproducible":false"#), "{written}");
+    let judged = moreau(&["certify", &empty, &answer]);
+    assert!(judged.output.contains("another run need not find"), "{}", judged.output);
+    // an answer of no limit has no mark, nor need it have one
+    let block = folder.file("block.json", PROBLEM);
+    assert_eq!(moreau(&["solve", &block, "--out", &answer, "--time-limit", "1e5"]).code, 0);
+    assert!(!std::fs::read_to_string(&answer).expect("written").contains("reproducible"));
+    assert!(!moreau(&["certify", &block, &answer]).output.contains("another run"));
     for (option, value) in [("--time-limit", "0"), ("--time-limit", "nan"), ("--tolerance", "-1")] {
         moreau(&["solve", &empty, option, value]).is_refused(&[option]);
     }

@@ -60,6 +60,10 @@ impl Adapter {
             Err(_) if self.makes("silent-about-garbage") => return None,
             Err(problem) => return Some(json!({"id": null, "error": problem.to_string()})),
         };
+        // it has answered once; what starts it again hears nothing
+        if self.makes("falls-silent") && request["id"] != 5_000_000_001_u64 {
+            std::thread::sleep(Duration::from_secs(600));
+        }
         let id = match &self.mistake[..] {
             "text-id" => json!(request["id"].to_string()),
             "small-id" => json!(request["id"].as_u64().expect("a number") as u32),

@@ -8,10 +8,11 @@ use std::time::Duration;
 
 /// Every test.
 pub fn all() -> Vec<Trial> {
-    let tests: [(&str, fn()); 6] = [
+    let tests: [(&str, fn()); 7] = [
         ("a_sound_adapter_exits_0_and_a_faulty_one_1", exit_codes),
         ("an_adapter_that_cannot_be_started_exits_3_and_a_wrong_usage_2", cannot_be_started),
         ("the_outcome_is_json_on_request", the_outcome_is_json_on_request),
+        ("an_engine_that_keeps_silent_is_waited_for_once", waited_for_once),
         ("an_interrupt_ends_the_engine_and_exits_130", || interrupted("INT")),
         ("a_termination_ends_the_engine_and_exits_130", || interrupted("TERM")),
         ("a_gate_that_is_killed_leaves_no_engine_behind", || interrupted("KILL")),
@@ -70,6 +71,20 @@ fn the_outcome_is_json_on_request() {
     assert_eq!(wrong.len(), 1);
     assert_eq!(wrong[0]["probe"], "project/conventions");
     assert!(wrong[0]["why"].is_string() && wrong[0]["cure"].is_string() && wrong[0]["demand"].is_string());
+}
+
+/// Nobody starts it again to hear the same silence.
+fn waited_for_once() {
+    for (command, code) in [(&["gate", "--quick", "--only", "ball/energy"][..], 3), (&["protocol-check"], 1)] {
+        let file = File::new(command[0]);
+        let engine = ["sh", "-c", "echo started >> \"$0\"; exec sleep 600", file.path()];
+        let mut gate = Command::new(env!("CARGO_BIN_EXE_moreau"));
+        gate.args(command).args(["--time-limit", "2", "--"]).args(engine).stdin(Stdio::null());
+        let output = gate.output().expect("the built command starts");
+        let said = format!("{}{}", text(&output.stdout), text(&output.stderr));
+        assert!(output.status.code() == Some(code) && said.contains("no reply within 2s"), "{command:?}: {said}");
+        assert_eq!(std::fs::read_to_string(file.path()).expect("it has been started").lines().count(), 1, "{command:?}: {said}");
+    }
 }
 
 fn interrupted(signal: &str) {

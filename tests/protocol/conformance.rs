@@ -3,8 +3,9 @@
 use crate::cases::this_program;
 use libtest_mimic::Trial;
 use moreau::gate::Options;
-use moreau::gate::conformance::{Conformance, ProbeOutcome, conformance, misreported};
+use moreau::gate::conformance::{Conformance, ProbeOutcome, conformance, conformance_heard, misreported};
 use moreau::gate::process::{Fate, Limits, ProcessEngine};
+use std::cell::RefCell;
 use std::time::Duration;
 
 /// Mistakes with the probes that must find them – no others may complain – and words of their report.
@@ -102,12 +103,36 @@ pub fn all() -> Vec<Trial> {
     trials.push(Trial::test("the_gate_tells_what_is_wrong_with_description_and_motion_before_any_check", || {
         for (mistake, expected) in [("sound", &[][..]), ("own-law", &["describe/law"]), ("forces", &["contacts/impulse"])] {
             let mut engine = ProcessEngine::new(this_program(&["--adapter", mistake]), LIMITS);
-            let found: Vec<_> = misreported(&mut engine, &Options::new()).into_iter().map(|probe| probe.probe).collect();
+            let found: Vec<_> =
+                misreported(&mut engine, &Options::new()).expect("it describes itself").into_iter().map(|probe| probe.probe).collect();
             assert_eq!(found, expected, "{mistake}");
         }
         Ok(())
     }));
+    trials.push(Trial::test("an_adapter_that_keeps_silent_is_asked_no_more", || {
+        let short = Limits { reply: Duration::from_secs(2), start: Duration::from_secs(2), ..LIMITS };
+        for (engine, silent) in [
+            (["--misbehave", "never-read"], &["describe/answers"][..]),
+            (["--adapter", "falls-silent"], &["line/same-twice", "line/unknown-request"]),
+        ] {
+            let heard = RefCell::new(Vec::new());
+            let outcome = conformance_heard(&this_program(&engine), short, &|name| heard.borrow_mut().push(name.to_string()));
+            let outcome = outcome.expect("it starts");
+            let found = problems(&outcome);
+            assert_eq!(found.iter().map(|(name, _)| *name).collect::<Vec<_>>(), silent, "{found:#?}");
+            assert!(found.iter().all(|(_, text)| text.contains("no reply within 2s")), "{found:#?}");
+            let skipped = |name: &str| outcome.probes.iter().any(|probe| probe.probe == name && is_skipped(&probe.outcome));
+            assert!(["line/garbage", "line/nothing-else", "end/bye", "end/input"].into_iter().all(skipped), "{outcome:#?}");
+            let heard = heard.into_inner();
+            assert!(heard[0] == "describe/answers" && silent.iter().all(|name| heard.contains(&name.to_string())), "{heard:?}");
+        }
+        Ok(())
+    }));
     trials
+}
+
+fn is_skipped(outcome: &ProbeOutcome) -> bool {
+    matches!(outcome, ProbeOutcome::Skipped { why } if why.contains("nothing more is asked"))
 }
 
 const LIMITS: Limits =

@@ -1,6 +1,7 @@
 //! How text for a terminal is marked, and broken into lines.
 
 use maud::{Markup, html};
+pub use moreau_exact::number::counted;
 use textwrap::core::display_width;
 use textwrap::{Options, WordSplitter, fill};
 use unicode_normalization::UnicodeNormalization;
@@ -104,18 +105,6 @@ pub fn with_code(text: &str) -> Markup {
             @if k % 2 == 1 { (code(part)) } @else { (part) }
         }
     }
-}
-
-/// A count with its word, in the plural unless it is one.
-///
-/// ```
-/// use moreau_checks::text::counted;
-///
-/// assert_eq!(counted(1, "check"), "1 check");
-/// assert_eq!(counted(0, "check"), "0 checks");
-/// ```
-pub fn counted(count: usize, word: &str) -> String {
-    format!("{count} {word}{}", if count == 1 { "" } else { "s" })
 }
 
 #[cfg(test)]

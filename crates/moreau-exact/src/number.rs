@@ -79,6 +79,20 @@ pub fn with_unit(number: &str, unit: &str) -> String {
     if unit == "1" { number.into() } else { format!("{number} {unit}") }
 }
 
+/// A count with its word in the singular or the plural: `1 entry`, `2 entries`, `0 rows`.
+/// ```
+/// use moreau_exact::number::counted;
+///
+/// assert_eq!([counted(1, "entry"), counted(2, "entry"), counted(0, "row"), counted(3, "key")], ["1 entry", "2 entries", "0 rows", "3 keys"]);
+/// ```
+pub fn counted(count: usize, word: &str) -> String {
+    match word.strip_suffix('y').filter(|stem| !stem.ends_with(['a', 'e', 'o', 'u'])) {
+        _ if count == 1 => format!("1 {word}"),
+        Some(stem) => format!("{count} {stem}ies"),
+        None => format!("{count} {word}s"),
+    }
+}
+
 fn trimmed(digits: &str) -> &str {
     if digits.contains('.') { digits.trim_end_matches('0').trim_end_matches('.') } else { digits }
 }

@@ -159,6 +159,24 @@ fn key_before(text: &str, place: usize) -> Option<&str> {
     Some(key.trim()).filter(|key| !key.is_empty())
 }
 
+/// The error of a file that ends within an entry, as a copy does that was broken off: what is wrong comes with the end of the text, or is
+/// missing in the last table.
+fn cut(text: &str, error: &toml::de::Error) -> Option<Error> {
+    let span = error.span()?;
+    let rest = text.get(span.end..)?;
+    let is_missing = error.message().starts_with("missing field");
+    if !(rest.trim().is_empty() || is_missing && !rest.contains("\n[")) {
+        return None;
+    }
+    let missing = if is_missing { format!(": {}", error.message()) } else { String::new() };
+    let problem = match text.lines().count() {
+        0 => "the file is empty".into(),
+        last => format!("line {last} is the last one, and ends within an entry{missing}"),
+    };
+    let cure = "take a whole copy of the file, or make a new one with `moreau gate --save-baseline FILE`";
+    Some(Error::invalid(key_before(text, span.start).unwrap_or("baseline"), problem, cure))
+}
+
 impl Baseline {
     /// The baseline of a run.
     pub fn of(report: &Report) -> Self {
@@ -196,6 +214,9 @@ impl Baseline {
                 None => (error.message().into(), String::new()),
             };
             let problem = format!("{line}{said}");
+            if let Some(told) = cut(&text, &error) {
+                return told.in_file(file);
+            }
             let wrong = error.span().and_then(|span| text[..span.end].lines().last()).unwrap_or("").trim_start();
             if wrong.starts_with("expires") {
                 return Error::invalid("known_issue.expires", problem, "write the day as \"2027-01-31\"").in_file(file);

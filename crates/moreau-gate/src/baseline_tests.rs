@@ -273,3 +273,26 @@ fn a_part_of_the_time_steps_is_compared_with_that_part() {
     assert!(changes(&of(vec![at(0.125, 0.0)])).is_err(), "a time step that the baseline does not have");
     assert!(baseline.compare(&of(vec![at(0.25, 0.125)]), day("2026-11-21")).is_err(), "the whole baseline wants the whole run");
 }
+
+#[test]
+fn a_file_that_is_cut_anywhere_is_told_by_its_name_with_a_cure() {
+    let file = std::env::temp_dir().join(format!("moreau-baseline-cut-{}.toml", std::process::id()));
+    let name = file.display().to_string();
+    let whole = Baseline::of(&value(0.25, 0.125)).to_toml().expect("a text");
+    let mut cut = 0;
+    for end in 0..whole.len() - 1 {
+        std::fs::write(&file, &whole[..end]).expect("writable");
+        // between two entries it is whole, with fewer of them
+        let Err(error) = Baseline::read(&file) else { continue };
+        let message = error.to_string();
+        let told = message.contains(&name) && message.contains("take a whole copy of the file, or make a new one");
+        assert!(told && message.contains(if whole[..end].trim().is_empty() { "is empty" } else { "is the last one" }), "{end}: {message}");
+        cut += 1;
+    }
+    assert!(cut > whole.len() / 2, "{cut} of {}", whole.len());
+    // what is wrong before the end is no cut
+    std::fs::write(&file, whole.replace("verdict = \"pass\"", "verdict = \"splendid\"")).expect("writable");
+    let message = Baseline::read(&file).expect_err("no verdict").to_string();
+    std::fs::remove_file(&file).expect("removable");
+    assert!(!message.contains("is the last one") && message.contains(&name), "{message}");
+}

@@ -8,6 +8,7 @@ use crate::{Description, Engine, Options, Refusal, Reply};
 use moreau_contact::problem::{ContactProblem, Solution};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::trajectory::Trajectory;
+use moreau_exact::number::{counted, significant};
 
 /// An engine on the bench, under fixed options.
 pub struct Bench<'a> {
@@ -63,10 +64,10 @@ impl<'a> Bench<'a> {
     /// The motion of a scene over `steps` steps of h \[s\], every `sample_every`-th state; the scene's duration is replaced by steps · h.
     ///
     /// # Errors
-    /// `unsupported` if the scene has what the engine does not declare: restitution, friction, a shape, bodies that are not free; or as the
-    /// engine answers. `errored` also if the
-    /// trajectory does not answer the question: other bodies, other times, numbers that are not finite. The first state is what
-    /// the checks and the probe `simulate/initial-state` look at.
+    /// `unsupported` if the scene has what the engine does not declare: restitution, friction, a shape, bodies that are not free; if the
+    /// time step is so long that there is no step; or as the engine answers. `errored` also if the trajectory does not answer the question:
+    /// other bodies, other times, numbers that are not finite. The first state is what the checks and the probe `simulate/initial-state`
+    /// look at.
     pub fn simulate(&mut self, scene: &Scene, time_step: f64, steps: usize, sample_every: usize) -> Reply<Trajectory> {
         self.simulate_with(scene, time_step, steps, sample_every, &Options::new())
     }
@@ -87,6 +88,11 @@ impl<'a> Bench<'a> {
     /// Those of [`Bench::simulate`].
     pub fn simulate_with(&mut self, scene: &Scene, time_step: f64, steps: usize, sample_every: usize, more: &Options) -> Reply<Trajectory> {
         self.can_express(scene)?;
+        if steps == 0 {
+            let h = significant(time_step);
+            let reason = format!("a time step of {h} s is longer than the motion of this check; take shorter ones with `--steps`");
+            return Err(Refusal::Unsupported(reason));
+        }
         let mut scene = scene.clone();
         scene.duration = steps as f64 * time_step;
         self.perturb(&mut scene);
@@ -109,7 +115,7 @@ impl<'a> Bench<'a> {
         let solution = self.engine.solve(problem, self.options)?;
         for (field, vector) in [("impulse", &solution.impulse), ("velocity", &solution.velocity)] {
             if vector.len() != problem.rows() {
-                return Err(Refusal::Errored(format!("`{field}` has {} entries instead of {}", vector.len(), problem.rows())));
+                return Err(Refusal::Errored(format!("`{field}` has {} instead of {}", counted(vector.len(), "entry"), problem.rows())));
             }
             if vector.iter().any(|x| !x.is_finite()) {
                 return Err(Refusal::Errored(format!("`{field}` is not finite")));
@@ -181,7 +187,7 @@ fn answers(trajectory: &Trajectory, scene: &Scene, time_step: f64, steps: usize,
     }
     let samples = steps / sample_every + 1;
     if trajectory.times.len() != samples {
-        return Err(format!("the trajectory has {} samples instead of {samples}", trajectory.times.len()));
+        return Err(format!("the trajectory has {} instead of {samples}", counted(trajectory.times.len(), "sample")));
     }
     for (k, time) in trajectory.times.iter().enumerate() {
         let expected = (k * sample_every) as f64 * time_step;
@@ -242,6 +248,17 @@ mod tests {
         assert!(asked(1.9e-9, 0).0.is_ok());
         let Err(Refusal::Errored(cause)) = asked(2.1e-9, 0).0 else { panic!("a time was wrong and nobody saw it") };
         assert!(cause.starts_with("times[1] is"), "{cause}");
+    }
+
+    #[test]
+    fn a_step_that_is_longer_than_the_motion_is_told_as_that_and_the_engine_is_not_asked() {
+        let mut engine = Recording::default();
+        let (options, asked) = (Options::new(), engine.asked.clone());
+        let description = engine.describe(&options).expect("describes itself");
+        let scene = named("two-ball-impact").expect("built in");
+        let answer = Bench::new(&mut engine, &description, &options).simulate(&scene, 10.0, 0, 1);
+        let Err(Refusal::Unsupported(reason)) = answer else { panic!("{answer:?}") };
+        assert!(reason.contains("time step of 10 s") && reason.contains("`--steps`") && asked.lock().expect("no panic").is_empty());
     }
 
     #[test]

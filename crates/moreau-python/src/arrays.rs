@@ -2,6 +2,7 @@
 
 use crate::errors::{IntoPython, invalid};
 use moreau::memory;
+use moreau::number::counted;
 use moreau_contact::operator::Sparse;
 use nalgebra::{DMatrix, DVector};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
@@ -158,7 +159,13 @@ fn sparse(value: &Bound<'_, PyAny>, field: &str) -> PyResult<Sparse> {
     let mut entries = BTreeMap::new();
     for ((row, column), value) in places("row")?.into_iter().zip(places("col")?).zip(data) {
         if row >= rows || column >= columns {
-            let problem = format!("has an entry at ({}, {}) outside of its {rows} rows and {columns} columns", row as i64, column as i64);
+            let problem = format!(
+                "has an entry at ({}, {}) outside of its {rows} and {columns}",
+                row as i64,
+                column as i64,
+                rows = counted(rows, "row"),
+                columns = counted(columns, "column")
+            );
             return Err(invalid(py, field, problem, "make the matrix again: its indices were changed"));
         }
         *entries.entry((row, column)).or_insert(0.0) += value;

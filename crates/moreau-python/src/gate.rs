@@ -90,7 +90,7 @@ pub fn gate(
     bar.set_length(plan.tasks() as u64);
     let times = Mutex::new(BTreeMap::new());
     let work = || {
-        let adapter = if probes { conformance::misreported(make().as_mut(), &plan.options) } else { Vec::new() };
+        let adapter = if probes { conformance::misreported(make().as_mut(), &plan.options)? } else { Vec::new() };
         let heard = |report: &moreau::gate::Report, name: &'static str, time: Duration| {
             times.lock().unwrap_or_else(PoisonError::into_inner).insert(name.to_string(), time);
             let verdict = report.checks.iter().find(|outcome| outcome.check == name).map_or("", |outcome| outcome.verdict.word());

@@ -6,6 +6,7 @@ use crate::certificate::accepted;
 use crate::errors::{IntoPython, invalid, rejected};
 use crate::interrupt;
 use moreau::cli::motion::{Motion as Moved, Question, motion};
+use moreau::number::counted;
 use moreau::scenes::{LINKAGES, NAMES, Scene};
 use moreau::trajectory::{BodyTrack, Trajectory};
 use moreau::{Error, files};
@@ -57,7 +58,7 @@ pub fn simulate(
     };
     let moved = interrupt::watched(py, || motion(question, go_on), || stopped.store(true, Ordering::Relaxed))?.python(py)?;
     let refused = moved.steps.rejected;
-    let told = format!("the certificate rejects {refused} of {} steps; accept_rejected=True lets them pass", moved.steps.steps);
+    let told = format!("the certificate rejects {refused} of {}; accept_rejected=True lets them pass", counted(moved.steps.steps, "step"));
     let motion = Py::new(py, Motion { moved })?;
     if refused > 0 && !accept_rejected {
         return Err(rejected(py, &told, solver, motion.into_any()));

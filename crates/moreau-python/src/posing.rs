@@ -9,6 +9,7 @@ use crate::away::{away, enter};
 use crate::errors::{IntoPython, invalid};
 use crate::problem::Problem;
 use moreau::cli::remarks::remarks;
+use moreau::number::counted;
 use moreau::problem::{ContactProblem, ContactProblemBuilder, Law, Posed};
 use moreau::{Error, Result, memory};
 use moreau_contact::operator::{BlockSparse, Sparse, SparseDynamics};
@@ -139,8 +140,8 @@ fn rows_per_contact(py: Python<'_>, rows: usize, friction: Option<&Friction>) ->
     };
     found.ok_or_else(|| {
         let given = match friction {
-            Some(Friction::Each(each)) => format!("has {} entries for {rows} rows", each.len()),
-            _ => format!("is one number for {rows} rows, which are no contacts of three"),
+            Some(Friction::Each(each)) => format!("has {} for {rows}", counted(each.len(), "entry"), rows = counted(rows, "row")),
+            _ => format!("is one number for {}, which are no contacts of three", counted(rows, "row")),
         };
         invalid(py, "mu", given, "give one number per contact; contacts have 3 rows in space, 2 in the plane, 1 without friction")
     })
@@ -186,7 +187,12 @@ impl Operator {
             return Ok(());
         }
         let cure = "give H v_free, one velocity per row, not the velocities of the mechanism";
-        Err(invalid(py, "u_free", format!("has {rows} entries, and {of} has {given} rows"), cure))
+        Err(invalid(
+            py,
+            "u_free",
+            format!("has {rows}, and {of} has {given}", rows = counted(rows, "entry"), given = counted(given, "row")),
+            cure,
+        ))
     }
 
     fn begin(self, rows_per_contact: usize) -> Result<ContactProblemBuilder> {

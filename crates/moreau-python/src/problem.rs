@@ -6,6 +6,7 @@ use crate::errors::{IntoPython, invalid};
 use crate::posing::{Arguments, law_of, pose};
 use moreau::cli::posed;
 use moreau::cli::remarks::remarks;
+use moreau::number::counted;
 use moreau::problem::{Law, Posed};
 use moreau::{files, memory};
 use nalgebra::DVector;
@@ -267,7 +268,7 @@ impl Problem {
         let values = vector(given, field)?;
         if values.len() != self.rows() {
             let cure = format!("give {}, one per row of the problem", self.rows());
-            return Err(invalid(given.py(), field, format!("has {} entries", values.len()), cure));
+            return Err(invalid(given.py(), field, format!("has {}", counted(values.len(), "entry")), cure));
         }
         if let Some(k) = values.iter().position(|value| !value.is_finite()) {
             let cure = "give finite numbers: an answer that has none is no answer";

@@ -12,6 +12,7 @@ use super::posed::judge;
 use super::problem_law::LawOption;
 use crate::files::write_atomically;
 use crate::problem::{ContactProblem, Law, Posed, StoredAnswers};
+use crate::report::quantity::short;
 use crate::tolerance::cli::CERTIFY;
 use crate::{Error, Result};
 use std::path::{Path, PathBuf};
@@ -121,10 +122,10 @@ fn with_answer(mut stored: StoredAnswers, file: &Path, posed: &Posed) -> Result<
     let solution = read_solution(file, posed, "moreau convert PROBLEM --solution SOLUTION --out FILE.hdf5")?;
     let residuals = judge(posed, &solution).map_err(|error| error.in_file(file))?;
     if !residuals.is_solution(CERTIFY) {
-        let relative = residuals.relative();
         print_aside(&format!(
-            "remark: {}: is no solution, its largest relative residual is {relative:.1e}; it is written\n",
-            file.display()
+            "remark: {}: is no solution, its largest relative residual is {}; it is written\n",
+            file.display(),
+            short(residuals.relative())
         ));
     }
     stored.solution = Some(solution);

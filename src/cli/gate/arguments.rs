@@ -18,7 +18,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "command")]
     pub trajectory: Vec<PathBuf>,
     /// The description that goes with --trajectory, a JSON file as `describe` returns it; without it the engine is taken for rigid.
-    #[arg(long, value_name = "FILE", requires = "trajectory")]
+    #[arg(long, value_name = "FILE")]
     pub description: Option<PathBuf>,
     /// Only the checks of contact solvers.
     #[arg(long, conflicts_with_all = ["trajectory", "projection"])]
@@ -101,4 +101,5 @@ Examples:
   moreau gate --explain ball/energy
 
 Exit codes: 0 nothing is bad (or nothing worse than the baseline); 1 a check fails or errors, or a regression,
-or less is answered than --require; 2 usage; 3 the engine could not be run.";
+or less is answered than --require; 2 usage; 3 the engine could not be run;
+130 interrupted, by Ctrl-C, SIGTERM or SIGHUP, after its engines were ended.";

@@ -15,6 +15,7 @@ use crate::gate::baseline::{Baseline, Change, ChangeKind};
 use crate::gate::conformance;
 use crate::gate::runner::{self, Plan};
 use crate::gate::{Check, Refusal, Report, Verdict};
+use crate::number::counted;
 use crate::report::gate::{junit, page, text};
 use crate::report::json::pretty;
 use crate::{Error, Result};
@@ -47,6 +48,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     if let Some(folder) = &arguments.write_scenes {
         return scenes::write(folder, &checks, &sweep);
     }
+    subject::require_motions(arguments)?;
     arguments.keep_files()?;
     let required = required(arguments.require)?;
     let baseline = arguments.baseline.as_deref().map(|file| baseline(file, &sweep, &checks)).transpose()?;
@@ -74,7 +76,14 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
             watched.written = changes.and_then(|changes| arguments.write(report, changes.as_deref(), (&watched.times, today), false));
         }
     };
-    let adapter = if arguments.trajectory.is_empty() { conformance::misreported(make().as_mut(), &plan.options) } else { Vec::new() };
+    let adapter = match arguments.trajectory[..] {
+        [] => conformance::misreported(make().as_mut(), &plan.options),
+        _ => Ok(Vec::new()),
+    };
+    let adapter = match adapter {
+        Ok(adapter) => adapter,
+        Err(refusal) => return cannot_run(&refusal),
+    };
     let answer = runner::run_watched(make.as_ref(), &plan, &watch);
     bar.finish_and_clear();
     let Watched { times, written } = watched.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
@@ -135,7 +144,8 @@ fn is_enough(report: &Report, required: Option<f64>) -> bool {
     let is_enough = required.map_or(answered > 0, |percent| 100.0 * answered as f64 >= percent * count as f64);
     if !is_enough {
         let wanted = required.map_or("at least one is needed".to_string(), |percent| format!("--require asks for {percent} %"));
-        print_aside(&format!("{answered} of {count} checks were answered with pass or difference; {wanted}\n"));
+        let checks = counted(count, "check");
+        print_aside(&format!("{answered} of {checks} were answered with pass or difference; {wanted}\n"));
     }
     is_enough
 }

@@ -3,6 +3,7 @@
 use crate::checks::text::counted;
 use crate::cli::Answer;
 use crate::cli::output::{print, style};
+use crate::cli::progress;
 use crate::cli::several::make_folder;
 use crate::files::write_atomically;
 use crate::gate::library::Requests;
@@ -34,8 +35,11 @@ pub fn write(folder: &Path, checks: &[&'static Check], sweep: &[f64]) -> Result<
         let inner = own::by_name("moreau-jean").expect("a built-in scheme");
         Box::new(Requests { inner: Box::new(inner), asked: asked.clone() })
     };
-    let plan = Plan { checks: checks.to_vec(), sweep: sweep.to_vec(), options: Options::new(), jobs: 1, repeats: 1, progress: &|| {} };
-    runner::run(&make, &plan).map_err(|refusal| Error::Unsupported(refusal.to_string()))?;
+    let bar = progress::parts(0, "measurements");
+    let progress = || bar.inc(1);
+    let plan = Plan { checks: checks.to_vec(), sweep: sweep.to_vec(), options: Options::new(), jobs: 1, repeats: 1, progress: &progress };
+    bar.set_length(plan.tasks() as u64);
+    progress::shown(&bar, || runner::run(&make, &plan)).map_err(|refusal| Error::Unsupported(refusal.to_string()))?;
     let asked = asked.lock().map(|asked| asked.clone()).unwrap_or_default();
     let mut distinct: Vec<(Scene, f64, usize)> = Vec::new();
     for request in asked {

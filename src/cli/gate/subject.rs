@@ -2,6 +2,7 @@
 
 use super::Arguments;
 use crate::cli::output::print_aside;
+use crate::cli::time_limit::of_reply;
 use crate::gate::audit::audit;
 use crate::gate::library::{Library, read_description};
 use crate::gate::process::{Limits, ProcessEngine, end_engines_on_interrupt};
@@ -9,7 +10,6 @@ use crate::gate::{Engine, Report, Verdict};
 use crate::number::significant;
 use crate::trajectory::Trajectory;
 use crate::{Error, Result};
-use std::time::Duration;
 
 /// Makes engines for the workers.
 pub fn maker(arguments: &Arguments) -> Result<Box<dyn Fn() -> Box<dyn Engine> + Sync>> {
@@ -18,17 +18,21 @@ pub fn maker(arguments: &Arguments) -> Result<Box<dyn Fn() -> Box<dyn Engine> + 
         let library = Library::read(&arguments.trajectory, description)?;
         return Ok(Box::new(move || Box::new(library.clone())));
     }
-    let reply = seconds("--time-limit", arguments.time_limit)?;
-    let start = arguments.start_limit.map_or(Ok(reply), |limit| seconds("--start-limit", limit))?;
+    let reply = of_reply("--time-limit", arguments.time_limit)?;
+    let start = arguments.start_limit.map_or(Ok(reply), |limit| of_reply("--start-limit", limit))?;
     let limits = Limits { reply, start, ..Limits::default() };
     end_engines_on_interrupt()?;
     let command = arguments.command.clone();
     Ok(Box::new(move || Box::new(ProcessEngine::new(command.clone(), limits))))
 }
 
-fn seconds(option: &str, number: f64) -> Result<Duration> {
-    let limit = Duration::try_from_secs_f64(number).ok().filter(|limit| !limit.is_zero());
-    limit.ok_or_else(|| Error::invalid(option, format!("is {number}"), "use a positive number of seconds"))
+/// Refuses a description without the motions that it goes with: a program describes itself.
+pub fn require_motions(arguments: &Arguments) -> Result<()> {
+    if arguments.description.is_none() || !arguments.trajectory.is_empty() {
+        return Ok(());
+    }
+    let cure = "leave it out, for a program describes itself; or give the motions that it goes with: --trajectory FILE";
+    Err(Error::invalid("--description", "is given without --trajectory", cure))
 }
 
 /// The report of a run on stored trajectories: the checks whose scene is stored, and the audit of every file. Other checks are left out.

@@ -3,6 +3,7 @@
 use super::super::Answer;
 use super::super::convert::fields_without_place;
 use super::super::output::{print, print_aside};
+use super::super::progress;
 use super::super::several::make_folder;
 use super::named::{named, not_stored};
 use crate::files::write_together;
@@ -11,6 +12,7 @@ use crate::problems::{ALL, Stored, solution};
 use crate::report::text::counted;
 use crate::{Error, Result};
 use clap::ValueEnum;
+use indicatif::ProgressBar;
 use nalgebra::DVector;
 use std::path::{Path, PathBuf};
 
@@ -64,20 +66,9 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     };
     let folder = Path::new(folder);
     make_folder("FOLDER", folder)?;
-    let (mut files, mut problems) = (Vec::new(), 0);
-    for stored in chosen {
-        match written(stored, arguments.to, folder) {
-            Ok(made) => {
-                files.extend(made);
-                problems += 1;
-            }
-            Err(error @ Error::Unsupported(_)) if arguments.all => print_aside(&format!("{}: not written: {error}\n", stored.name)),
-            Err(error) => return Err(error),
-        }
-    }
-    let together: Vec<(&Path, &[u8])> = files.iter().map(|(file, bytes)| (file.as_path(), &bytes[..])).collect();
-    write_together(&together)?;
-    let (problems, files) = (counted(problems, "problem"), counted(files.len(), "file"));
+    let bar = progress::parts(chosen.len(), "problems");
+    let (problems, files) = progress::shown(&bar, || exported(&chosen, arguments, folder, &bar))?;
+    let (problems, files) = (counted(problems, "problem"), counted(files, "file"));
     print(&format!("{problems} in {files} in {}\n", folder.display()))?;
     if arguments.all {
         print_aside(&not_stored(ALL.iter().filter(|stored| stored.problem.is_none()).map(|stored| stored.name)));
@@ -85,8 +76,30 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     Ok(Answer::Yes)
 }
 
+/// Writes the files of these problems, all or none; how many problems and files that are.
+fn exported(chosen: &[&Stored], arguments: &Arguments, folder: &Path, bar: &ProgressBar) -> Result<(usize, usize)> {
+    let (mut files, mut problems) = (Vec::new(), 0);
+    for stored in chosen {
+        bar.set_message(format!(", {}", stored.name));
+        match written(stored, arguments.to, folder, bar) {
+            Ok(made) => {
+                files.extend(made);
+                problems += 1;
+            }
+            Err(error @ Error::Unsupported(_)) if arguments.all => {
+                bar.suspend(|| print_aside(&format!("{}: not written: {error}\n", stored.name)));
+            }
+            Err(error) => return Err(error),
+        }
+        bar.inc(1);
+    }
+    let together: Vec<(&Path, &[u8])> = files.iter().map(|(file, bytes)| (file.as_path(), &bytes[..])).collect();
+    write_together(&together)?;
+    Ok((problems, files.len()))
+}
+
 /// The files of one problem.
-fn written(stored: &Stored, to: To, folder: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>> {
+fn written(stored: &Stored, to: To, folder: &Path, bar: &ProgressBar) -> Result<Vec<(PathBuf, Vec<u8>)>> {
     let (problem, record) = (stored.problem()?, stored.record()?);
     let answers: Vec<_> = record.answers.iter().map(|answer| solution(&problem, &record, answer)).collect();
     let text = stored.problem.unwrap_or_default();
@@ -104,7 +117,8 @@ fn written(stored: &Stored, to: To, folder: &Path) -> Result<Vec<(PathBuf, Vec<u
             let bytes = problem.to_fclib(answers.first(), Some(&DVector::zeros(problem.rows())))?;
             let dropped = without_place(text, &answers);
             if !dropped.is_empty() {
-                print_aside(&format!("remark: {}: not kept in FCLIB's local form: {}\n", stored.name, dropped.join(", ")));
+                let remark = format!("remark: {}: not kept in FCLIB's local form: {}\n", stored.name, dropped.join(", "));
+                bar.suspend(|| print_aside(&remark));
             }
             Ok(vec![(folder.join(format!("{}.hdf5", stored.name)), bytes)])
         }

@@ -2,14 +2,15 @@
 
 use super::super::limits::CommonOptions;
 use super::super::output::{print, table};
-use super::super::progress;
-use super::super::{Answer, Format};
+use super::super::{Answer, Format, number, progress, time_limit};
 use crate::Result;
 use crate::problem::{ContactProblem, Solution};
-use crate::problems::{Measured, measure_told};
+use crate::problems::{Measured, measure_within};
 use crate::report::json::pretty;
 use crate::report::problems::left_out;
+use crate::report::quantity::short;
 use crate::solvers::Solvers;
+use crate::solvers::watch::watched;
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -26,6 +27,10 @@ pub struct Arguments {
     /// An answer from elsewhere, a file solution/1, that is judged and compared with the others; may be given several times.
     #[arg(long, value_name = "FILE")]
     given: Vec<PathBuf>,
+    /// End each solver after this time with the best answer so far, as `--time-limit` of `moreau bench` does, and the plain sweeps: another
+    /// run need not find the same, and the result is marked as not reproducible.
+    #[arg(long, value_parser = number::seconds, value_name = "SECONDS", allow_hyphen_values = true)]
+    time_limit: Option<f64>,
     #[command(flatten)]
     common: CommonOptions,
 }
@@ -40,6 +45,7 @@ Exit code 0: some answer is accepted; 1: none is.";
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     arguments.common.apply()?;
+    time_limit::check(arguments.time_limit)?;
     let problem = ContactProblem::read(&arguments.problem)?;
     let given: Vec<Solution> = arguments.given.iter().map(|file| Solution::read(file, &problem)).collect::<Result<_>>()?;
     let own = Solvers::own();
@@ -48,7 +54,8 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         bar.set_message(format!(", {name}"));
         bar.inc(1);
     };
-    let measured = progress::shown(&bar, || measure_told(&problem, &given, &own, &asked))?;
+    let within = |work: &mut dyn FnMut()| time_limit::within(arguments.time_limit, |over| watched(over, work).1.interrupted);
+    let measured = progress::shown(&bar, || measure_within(&problem, &given, &own, &asked, &within))?;
     print(&match arguments.common.format {
         Format::Text => table(text(&measured) + &left_out(measured.solvers.iter().map(|outcome| outcome.solver.as_str()))),
         Format::Json => pretty(&measured)?,
@@ -59,7 +66,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
 fn text(measured: &Measured) -> String {
     let mut text = format!("{:19} {:9} {:>8} {:>10} {:>8} why\n", "solver", "ended", "residual", "iterations", "Δu [m/s]");
     for outcome in &measured.solvers {
-        let number = |value: Option<f64>| value.map_or("–".into(), |value| format!("{value:.1e}"));
+        let number = |value: Option<f64>| value.map_or("–".into(), short);
         let [relative, difference] = [outcome.relative, outcome.difference].map(number);
         let iterations = outcome.iterations.map_or("–".into(), |iterations| iterations.to_string());
         let reason = outcome.reason.as_deref().unwrap_or_default();
@@ -68,5 +75,8 @@ fn text(measured: &Measured) -> String {
     let sweeps =
         measured.difficulty.sweeps.map_or_else(|| measured.difficulty.reason.clone().unwrap_or_default(), |sweeps| sweeps.to_string());
     let _ = writeln!(text, "answers with different velocities: {}; plain sweeps to 1e-8: {sweeps}", measured.answers.len());
+    if measured.reproducible == Some(false) {
+        text += "the time limit ended some of them: another run need not find the same\n";
+    }
     text
 }

@@ -63,6 +63,7 @@ pub fn solved(
         }
     };
     solution.keys = posed::keys(&problem);
+    solution.reproducible = seen.interrupted.then_some(false);
     let residuals = posed::judge_own(&problem, &mut solution, arguments.tolerance.accepted())?;
     let exhausted = seen.interrupted || solver.iteration_limit().is_some_and(|most| solution.iterations >= most);
     // what ends without a look on the way has its answer looked at

@@ -3,6 +3,7 @@
 use super::super::Format;
 use super::super::output::print_aside;
 use super::arguments::Arguments;
+use crate::number::counted;
 use crate::problem::{Posed, WarmStart};
 use crate::solvers::ContactSolver;
 use crate::{Error, Result};
@@ -23,7 +24,11 @@ pub fn read(arguments: &Arguments, solver: &dyn ContactSolver, file: &Path, prob
     if let (Some(matched), Posed::Contacts(contacts), false) = (start.matched, problem, is_json) {
         let all = contacts.contacts();
         let file = file.display();
-        print_aside(&format!("remark: {file}: start by keys: {matched} of {all} contacts matched, {} begin at zero\n", all - matched));
+        print_aside(&format!(
+            "remark: {file}: start by keys: {matched} of {} matched, {} begin at zero\n",
+            counted(all, "contact"),
+            all - matched
+        ));
     }
     Ok(start.impulse)
 }

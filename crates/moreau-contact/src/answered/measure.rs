@@ -15,10 +15,12 @@ use crate::tolerance::answered::{DIFFERENT, FEW_ITERATIONS, FIRM, LARGEST_PIVOTE
 use crate::tolerance::certificate::CERTIFY;
 use crate::tolerance::solvers::SWEEPS;
 use moreau_exact::error::Failure;
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::cell::Cell;
 
 /// What came of a problem.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
@@ -29,7 +31,16 @@ pub struct Measured {
     pub solvers: Vec<Outcome>,
     /// Plain sweeps to 1e-8.
     pub difficulty: Difficulty,
+    /// False where a time limit ended a solver, which another run need not do at the same place; absent elsewhere.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reproducible: Option<bool>,
 }
+
+/// Runs the work of one solver, and tells whether it was ended early.
+pub type Within<'a> = &'a dyn Fn(&mut dyn FnMut()) -> bool;
+
+/// What is said of a solver that was ended.
+const ENDED: &str = "ended by the time limit";
 
 /// An accepted answer.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
@@ -72,14 +83,30 @@ struct Accepted {
 /// # Errors
 /// What a certificate says of an answer that does not fit the problem.
 pub fn measure(problem: &ContactProblem, given: &[Solution], solvers: &Solvers) -> Result<Measured> {
-    measure_told(problem, given, solvers, &|_| ())
+    let unlimited = |work: &mut dyn FnMut()| {
+        work();
+        false
+    };
+    measure_within(problem, given, solvers, &|_| (), &unlimited)
 }
 
-/// [`measure`] that tells the name of each solver before it is asked.
+/// [`measure`] that tells the name of each solver before it is asked, asks it within a limit, and counts plain sweeps within it.
 ///
 /// # Errors
 /// Those of [`measure`].
-pub fn measure_told(problem: &ContactProblem, given: &[Solution], solvers: &Solvers, asked: &dyn Fn(&str)) -> Result<Measured> {
+pub fn measure_within(
+    problem: &ContactProblem,
+    given: &[Solution],
+    solvers: &Solvers,
+    asked: &dyn Fn(&str),
+    within: Within,
+) -> Result<Measured> {
+    let was_ended = Cell::new(false);
+    let within: Within = &|work| {
+        let ended = within(work);
+        was_ended.set(was_ended.get() || ended);
+        ended
+    };
     let mut accepted = Vec::new();
     for candidate in given {
         problem.require_size("impulse", candidate.impulse.len())?;
@@ -94,7 +121,7 @@ pub fn measure_told(problem: &ContactProblem, given: &[Solution], solvers: &Solv
     let mut found: Vec<Option<DVector<f64>>> = Vec::new();
     for name in solvers.names() {
         asked(name);
-        let (outcome, solution) = ask(problem, solvers, name)?;
+        let (outcome, solution) = ask(problem, solvers, name, within)?;
         found.push(solution.as_ref().map(|solution| solution.velocity.clone()));
         if let (Some(solution), Some(relative)) = (solution, outcome.relative) {
             accepted.push(Accepted { by: name.into(), family: family(&solution.solver).into(), solution, relative });
@@ -107,7 +134,8 @@ pub fn measure_told(problem: &ContactProblem, given: &[Solution], solvers: &Solv
             |velocity: &DVector<f64>| answers.iter().map(|answer| distance(&answer.velocity, velocity)).fold(f64::INFINITY, f64::min);
         outcome.difference = velocity.as_ref().map(distance).filter(|distance| distance.is_finite());
     }
-    Ok(Measured { answers, solvers: outcomes, difficulty: difficulty(problem)? })
+    let difficulty = difficulty(problem, within)?;
+    Ok(Measured { answers, solvers: outcomes, difficulty, reproducible: was_ended.get().then_some(false) })
 }
 
 /// The family of an algorithm, by the name it gives itself: two of one family are no two witnesses.
@@ -128,15 +156,24 @@ pub(super) fn iterations(problem: &ContactProblem) -> usize {
     (WORK / problem.delassus().entries().len().max(1)).clamp(FEW_ITERATIONS, SWEEPS)
 }
 
-fn ask(problem: &ContactProblem, solvers: &Solvers, name: &'static str) -> Result<(Outcome, Option<Solution>)> {
+/// What a solver answers within the limit, and whether that ended it.
+fn limited_answer(problem: &ContactProblem, solver: &dyn ContactSolver, within: Within) -> (Result<Solution>, bool) {
+    let mut answer = None;
+    let ended = within(&mut || answer = Some(solver.solve(problem, None)));
+    (answer.unwrap_or_else(|| Err(Error::limit(solver.name(), ENDED))), ended)
+}
+
+fn ask(problem: &ContactProblem, solvers: &Solvers, name: &'static str, within: Within) -> Result<(Outcome, Option<Solution>)> {
     let mut outcome =
         Outcome { solver: name.into(), ended: Ended::LeftOut, iterations: None, relative: None, difference: None, reason: None };
     if name == "lemke" && problem.rows() > LARGEST_PIVOTED {
         outcome.reason = Some(format!("it has more than {LARGEST_PIVOTED} rows"));
         return Ok((outcome, None));
     }
-    match limited(solvers, name, problem)?.solve(problem, None) {
+    let (answer, ended) = limited_answer(problem, &*limited(solvers, name, problem)?, within);
+    match answer {
         Ok(solution) => {
+            outcome.reason = ended.then(|| ENDED.into());
             let judged = residuals(problem, &solution)?;
             let solved = judged.is_solution(CERTIFY);
             outcome.ended = if solved { Ended::Solved } else { Ended::Rejected };
@@ -216,14 +253,16 @@ fn answer(problem: &ContactProblem, one: &Accepted) -> Result<Found> {
     })
 }
 
-fn difficulty(problem: &ContactProblem) -> Result<Difficulty> {
+fn difficulty(problem: &ContactProblem, within: Within) -> Result<Difficulty> {
     let limit = iterations(problem);
     let none = |reason: String| Ok(Difficulty { sweeps: None, reason: Some(reason) });
-    match (ProjectedGaussSeidel { sweeps: limit, tolerance: CERTIFY, memory: 0 }).solve(problem, None) {
+    let (answer, ended) = limited_answer(problem, &ProjectedGaussSeidel { sweeps: limit, tolerance: CERTIFY, memory: 0 }, within);
+    match answer {
         Ok(solution) if residuals(problem, &solution)?.is_solution(CERTIFY) => {
             Ok(Difficulty { sweeps: Some(solution.iterations), reason: None })
         }
-        Ok(solution) => none(format!("{} sweeps do not reach it", solution.iterations)),
+        Ok(_) if ended => none(ENDED.into()),
+        Ok(solution) => none(format!("{} do not reach it", counted(solution.iterations, "sweep"))),
         Err(Error::Solver { reason, .. }) => none(reason),
         Err(error) => Err(error),
     }

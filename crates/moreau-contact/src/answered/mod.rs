@@ -9,7 +9,7 @@ mod near;
 mod record;
 mod starts;
 
-pub use measure::{Found, Measured, measure, measure_told};
+pub use measure::{Found, Measured, Within, measure, measure_within};
 pub use near::near;
 pub use record::{Answered, Bound, Difficulty, Ended, Known, OtherAnswer, Outcome, RECORD_SCHEMA, Record, Uniqueness};
 pub use starts::from_several_starts;

@@ -14,6 +14,7 @@ use super::definiteness::{positive_semidefinite, symmetric_part};
 use super::feasibility::nonnegative_solution;
 use dashu_ratio::RBig;
 use moreau_exact::elimination::{principal, solve};
+use moreau_exact::number::counted;
 use moreau_exact::scalar::{Rational, ratio};
 use moreau_exact::witness::{Part, Witness, decided};
 use moreau_exact::{Error, Result};
@@ -120,7 +121,7 @@ fn decide_plus(matrix: &DMatrix<Rational>) -> Result<Decision<NotPlus>> {
 
 fn checked_symmetric_part(matrix: &DMatrix<Rational>) -> Result<DMatrix<Rational>> {
     if matrix.nrows() > LARGEST {
-        let message = format!("copositivity is decided up to size {LARGEST}, this matrix has {} rows", matrix.nrows());
+        let message = format!("copositivity is decided up to size {LARGEST}, this matrix has {}", counted(matrix.nrows(), "row"));
         return Err(Error::Unsupported(message));
     }
     Ok(symmetric_part(matrix))

@@ -28,6 +28,7 @@ use super::scales::{self, Held, Scales, Unheld, at_least};
 use crate::cones::second_order::{distance_of, length, tangential_norm};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::certificate::PROJECTED;
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
@@ -363,7 +364,7 @@ pub(super) fn check_sizes(problem: &ContactProblem, solution: &Solution) -> Resu
         Some((field, size, needed)) => Err(Error::invalid(
             field,
             format!("has size {}", size.unwrap_or(0)),
-            format!("give size {needed}, for {} contacts", problem.contacts()),
+            format!("give size {needed}, for {}", counted(problem.contacts(), "contact")),
         )),
     }
 }

@@ -19,7 +19,7 @@ use super::true_operator::is_stored_exactly;
 use super::verified_cholesky::is_positive_definite;
 use crate::problem::{ContactProblem, Lcp};
 use crate::tolerance::complementarity::{EXACT_ROWS, FEASIBLE_ROWS, OPEN_ROWS};
-use moreau_exact::number::{significant, two_digits};
+use moreau_exact::number::{counted, significant, two_digits};
 use moreau_exact::scalar::{Rational, Scalar, exact};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -168,8 +168,10 @@ fn enclosed(lcp: &Lcp<f64>, z: &DVector<f64>, support: &[bool]) -> Answer {
     let found = match enclose(lcp, support) {
         Ok(found) => found,
         Err(Undecided::Basis(size)) => {
-            let reason =
-                format!("the basis of the answer, {} rows, is singular or nearly so ({size:.1e})", support.iter().filter(|s| **s).count());
+            let reason = format!(
+                "the basis of the answer, {}, is singular or nearly so ({size:.1e})",
+                counted(support.iter().filter(|s| **s).count(), "row")
+            );
             return Answer::NotProved { row: None, reason };
         }
         Err(Undecided::Sign { row, is_z, within: [middle, radius] }) => {
@@ -241,7 +243,7 @@ pub fn count_with(lcp: &Lcp<f64>, proposed: impl FnOnce() -> Vec<DVector<f64>>) 
     }
     let size = lcp.size();
     if size > FEASIBLE_ROWS {
-        let why = format!("M is not shown to be a P-matrix, and {size} rows are too many for the rest");
+        let why = format!("M is not shown to be a P-matrix, and {} are too many for the rest", counted(size, "row"));
         return at_least(lcp, 0, why, &if size <= EXACT_ROWS { proposed() } else { Vec::new() });
     }
     let whole = whole(lcp);

@@ -9,6 +9,7 @@ use super::complementary_cones::LARGEST;
 use crate::tolerance::complementarity::EXACT_MINORS;
 use dashu_ratio::RBig;
 use moreau_exact::elimination::{principal, solve_columns};
+use moreau_exact::number::counted;
 use moreau_exact::scalar::Rational;
 use moreau_exact::witness::{Part, Witness, decided};
 use moreau_exact::{Error, Result};
@@ -40,7 +41,7 @@ pub struct Minor {
 /// ```
 pub fn p_matrix(matrix: &DMatrix<Rational>) -> Result<Decision<Minor>> {
     if matrix.nrows() > LARGEST {
-        let message = format!("principal minors are decided up to size {LARGEST}, this matrix has {} rows", matrix.nrows());
+        let message = format!("principal minors are decided up to size {LARGEST}, this matrix has {}", counted(matrix.nrows(), "row"));
         return Err(Error::Unsupported(message));
     }
     let bad = decided(

@@ -10,6 +10,7 @@ use super::lcp_proof::{Answer, prove};
 use crate::cones::polyhedral::{along_neighbours, direction};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::complementarity::OPEN_ROWS;
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
@@ -39,7 +40,8 @@ pub fn prove_polyhedral(problem: &ContactProblem, answer: &Solution) -> Result<A
     }
     let unknowns = problem.contacts() * (2 + directions);
     if unknowns > OPEN_ROWS {
-        let reason = format!("{unknowns} unknowns λ, β, σ; signs are decided in fractions up to {OPEN_ROWS}");
+        let reason =
+            format!("{unknowns} λ, β, σ; signs are decided in fractions up to {OPEN_ROWS}", unknowns = counted(unknowns, "unknown"));
         return Ok(Answer::NotProved { row: None, reason });
     }
     prove(&problem.stewart_trinkle_lcp()?, &pairs(problem, answer, directions))

@@ -18,6 +18,7 @@ use crate::cones::polyhedral::direction;
 use crate::problem::stewart_trinkle::{generators, lcp};
 use crate::problem::{ContactProblem, Law, Lcp};
 use crate::tolerance::complementarity::WIDE_CONES;
+use moreau_exact::number::counted;
 use moreau_exact::scalar::{Rational, exact};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -60,7 +61,10 @@ pub fn polyhedral_solutions(problem: &ContactProblem) -> Result<PolyhedralSoluti
     };
     let unknowns = problem.contacts() * (2 + directions);
     if unknowns > LARGEST {
-        let text = format!("complementary cones of {unknowns} unknowns λ, β, σ; all of them are looked at up to {LARGEST}");
+        let text = format!(
+            "complementary cones of {unknowns} λ, β, σ; all of them are looked at up to {LARGEST}",
+            unknowns = counted(unknowns, "unknown")
+        );
         return Err(Error::Unsupported(text));
     }
     Ok(Data::new(problem, operator(problem)?, directions).all())

@@ -4,6 +4,7 @@
 //! and L Y = Hᵀ it is W = Yᵀ D⁻¹ Y: symmetric and positive semidefinite by construction, and free of square roots, so
 //! the same code serves `f64` and exact rationals.
 
+use moreau_exact::number::counted;
 use moreau_exact::scalar::{Rational, Scalar};
 use moreau_exact::witness::{Witness, decided, rational};
 use moreau_exact::{Error, Result};
@@ -41,8 +42,12 @@ pub fn delassus<T: Scalar>(mass: &DMatrix<T>, jacobian: &DMatrix<T>) -> Result<D
 /// [`Error::Invalid`] if H has another number of columns than M, or a number that is not finite.
 pub fn delassus_factored<T: Scalar>(factor: &MassFactor<T>, jacobian: &DMatrix<T>) -> Result<DMatrix<T>> {
     if jacobian.ncols() != factor.pivots.len() {
-        let problem = format!("has {} columns", jacobian.ncols());
-        return Err(Error::invalid("jacobian", problem, format!("give {} columns, one per row of the mass matrix", factor.pivots.len())));
+        let problem = format!("has {}", counted(jacobian.ncols(), "column"));
+        return Err(Error::invalid(
+            "jacobian",
+            problem,
+            format!("give {}, one per row of the mass matrix", counted(factor.pivots.len(), "column")),
+        ));
     }
     finite("jacobian", jacobian)?;
     let mut half = jacobian.transpose();
@@ -241,18 +246,23 @@ pub(super) const UNMOVED: &str =
     "use finite numbers; static bodies and prescribed velocities need a scheme that takes M body by body, such as `moreau-jean`";
 
 fn symmetric<T: Scalar>(mass: &DMatrix<T>) -> Result<()> {
-    let n = mass.nrows();
-    for i in 0..n {
-        for j in 0..i {
-            let difference = (mass[(i, j)].clone() - mass[(j, i)].clone()).magnitude();
-            let size = mass[(i, i)].magnitude() + mass[(j, j)].magnitude();
-            if difference > rounding::<T>(n) * size {
-                let problem = format!("is not symmetric at ({i}, {j})");
-                return Err(Error::invalid("mass", problem, "give a symmetric mass matrix"));
-            }
-        }
+    match asymmetric_entry(mass) {
+        None => Ok(()),
+        Some((i, j)) => Err(Error::invalid("mass", format!("is not symmetric at ({i}, {j})"), SYMMETRIC)),
     }
-    Ok(())
+}
+
+/// What to do about an M that is not symmetric.
+pub(crate) const SYMMETRIC: &str = "give a symmetric mass matrix";
+
+/// The first entry of a square M that differs from its mirrored one by more than their rounding.
+pub(crate) fn asymmetric_entry<T: Scalar>(mass: &DMatrix<T>) -> Option<(usize, usize)> {
+    let n = mass.nrows();
+    let differ = |i: usize, j: usize| {
+        let difference = (mass[(i, j)].clone() - mass[(j, i)].clone()).magnitude();
+        difference > rounding::<T>(n) * (mass[(i, i)].magnitude() + mass[(j, j)].magnitude())
+    };
+    (0..n).flat_map(|i| (0..i).map(move |j| (i, j))).find(|&(i, j)| differ(i, j))
 }
 
 #[cfg(test)]

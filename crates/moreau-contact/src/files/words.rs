@@ -4,6 +4,8 @@
 //!     invalid type: string "x", expected f64      →      is the text "x"; give a number
 //! ```
 
+use moreau_exact::number::counted;
+
 /// What is wrong with a value, and what would be right.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -27,7 +29,7 @@ pub fn told(message: &str) -> Option<Told> {
     // a text that is quoted may have the same words in it
     let (found, expected) = message.rsplit_once(", expected ")?;
     let problem = match found.strip_prefix("invalid length ") {
-        Some(count) => format!("has {count} entries"),
+        Some(count) => format!("has {}", counted(count.parse().ok()?, "entry")),
         None => format!("is {}", value(found.strip_prefix("invalid type: ").or_else(|| found.strip_prefix("invalid value: "))?)),
     };
     Some(Told { problem, cure: format!("give {}", wanted(expected)) })
@@ -100,7 +102,7 @@ mod tests {
             ("invalid type: map, expected a sequence", "is an object", "give a list in square brackets"),
             ("invalid type: sequence, expected struct Pair", "is a list", "give an object in braces"),
             ("invalid type: boolean `true`, expected a map", "is true", "give an object in braces"),
-            ("invalid length 1, expected an array of length 2", "has 1 entries", "give a list of 2 entries"),
+            ("invalid length 1, expected an array of length 2", "has 1 entry", "give a list of 2 entries"),
             ("unknown variant `x`, expected one of `a`, `b`", "is `x`", "use one of `a`, `b`"),
             ("invalid type: integer `1`, expected a matrix as {}", "is 1", "give a matrix as {}"),
         ];

@@ -5,6 +5,7 @@
 //! ```
 
 use crate::memory;
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 
 /// The rows of H, contact after contact, as blocks of the bodies that each touches.
@@ -72,7 +73,7 @@ impl BlockRows {
             last = Some(*body);
             let size = self.rows_per_contact * self.velocities(*body).len();
             if block.len() != size {
-                let problem = format!("has {} entries at body {body}", block.len());
+                let problem = format!("has {} at body {body}", counted(block.len(), "entry"));
                 return Err(Error::invalid(at, problem, format!("give {size}, its rows times the velocities of the body")));
             }
         }

@@ -7,6 +7,7 @@
 
 use super::{ContactOperator, Sparse};
 use crate::memory::spare::{self, Lent};
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
 
@@ -69,7 +70,7 @@ impl BlockSparse {
     pub fn from_sparse(sparse: &Sparse, rows_per_contact: usize) -> Result<Self> {
         let (d, [rows, columns]) = (rows_per_contact, sparse.shape);
         if rows != columns || !rows.is_multiple_of(d) {
-            let cure = format!("give a square matrix of {d} rows per contact");
+            let cure = format!("give a square matrix of {} per contact", counted(d, "row"));
             return Err(Error::invalid("delassus", format!("has shape {rows}×{columns}"), cure));
         }
         let mut sorted: Vec<&(usize, usize, f64)> = sparse.entries.iter().collect();

@@ -12,6 +12,7 @@ use super::mass_block::Factor;
 use super::{BlockRows, BlockSparse, ContactOperator, lost_digits};
 use crate::memory;
 use crate::tolerance::certificate::VELOCITIES;
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DMatrixView};
 use std::collections::HashMap;
@@ -56,7 +57,7 @@ impl MatrixFree {
     /// ```
     pub fn new(masses: &[DMatrix<f64>], jacobian: BlockRows) -> Result<Self> {
         if masses.len() != jacobian.body_count() {
-            let problem = format!("has {} blocks", masses.len());
+            let problem = format!("has {}", counted(masses.len(), "block"));
             return Err(Error::invalid("mass", problem, format!("give {}, one per body of the Jacobian", jacobian.body_count())));
         }
         let entries = jacobian.values().len() as u128;

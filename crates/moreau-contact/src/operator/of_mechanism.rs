@@ -11,7 +11,7 @@ use crate::contact::{Inertia, Jacobian, Rows};
 use crate::memory;
 use crate::memory::spare::{self, Lent};
 use crate::tolerance::problem::STORED_CONTACTS;
-use moreau_exact::number::are_finite;
+use moreau_exact::number::{are_finite, counted};
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
 
@@ -34,8 +34,8 @@ const WEIGHTED: usize = SIDE * SPATIAL[1];
 /// [`Error::Invalid`] if H does not fit the mass, is not finite, or needs more memory than is allowed.
 pub fn of_mechanism(inertia: &Inertia, jacobian: &Jacobian) -> Result<Operator> {
     if inertia.size() != jacobian.ncols() {
-        let cure = format!("give {} columns, one per row of the mass matrix", inertia.size());
-        return Err(Error::invalid("jacobian", format!("has {} columns", jacobian.ncols()), cure));
+        let cure = format!("give {}, one per row of the mass matrix", counted(inertia.size(), "column"));
+        return Err(Error::invalid("jacobian", format!("has {}", counted(jacobian.ncols(), "column")), cure));
     }
     let n = jacobian.contacts().len();
     if let Some(width) = body_width(jacobian).filter(|width| inertia.is_made_of(*width)) {

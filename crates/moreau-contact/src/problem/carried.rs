@@ -2,6 +2,7 @@
 
 use super::ContactProblem;
 use super::keys::ContactKey;
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 use std::collections::HashMap;
@@ -28,7 +29,7 @@ use std::collections::HashMap;
 pub fn carried(before: &ContactProblem, impulse: &DVector<f64>, after: &ContactProblem) -> Result<DVector<f64>> {
     let rows = after.rows_per_contact();
     if before.rows_per_contact() != rows || impulse.len() != before.rows() {
-        let problem = format!("are {} impulses of contacts of {} rows", impulse.len(), before.rows_per_contact());
+        let problem = format!("are {} of contacts of {}", counted(impulse.len(), "impulse"), counted(before.rows_per_contact(), "row"));
         return Err(Error::invalid("warm_start", problem, format!("give {rows} for each contact of the earlier problem")));
     }
     by_keys(before.keys().ok_or_else(|| missing(before.name()))?, impulse, after).map(|(carried, _)| carried)
@@ -41,7 +42,8 @@ pub fn carried(before: &ContactProblem, impulse: &DVector<f64>, after: &ContactP
 pub(super) fn by_keys(keys: &[ContactKey], impulse: &DVector<f64>, after: &ContactProblem) -> Result<(DVector<f64>, usize)> {
     let rows = after.rows_per_contact();
     if impulse.len() != rows * keys.len() {
-        let cure = format!("give size {}, for {} keys with {rows} rows each", rows * keys.len(), keys.len());
+        let cure =
+            format!("give size {}, for {} with {rows} each", rows * keys.len(), counted(keys.len(), "key"), rows = counted(rows, "row"));
         return Err(Error::invalid("impulse", format!("has size {}", impulse.len()), cure));
     }
     let found: HashMap<&ContactKey, &[f64]> = keys.iter().zip(impulse.as_slice().chunks_exact(rows)).collect();

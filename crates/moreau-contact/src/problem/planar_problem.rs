@@ -8,6 +8,7 @@
 //! that problem is Coulomb's law itself.
 
 use super::{Lcp, stewart_trinkle};
+use moreau_exact::number::counted;
 use moreau_exact::scalar::{Rational, Scalar};
 use moreau_exact::witness::{Part, Witness, decided, rational};
 use moreau_exact::{Error, Result};
@@ -94,7 +95,7 @@ impl<T: Scalar> PlanarProblem<T> {
     /// [`Error::Invalid`] if there are not two rows per coefficient.
     pub fn coulomb(&self, friction: &[T]) -> Result<ImpulseLcp<T>> {
         if self.velocity.len() != 2 * friction.len() {
-            let problem = format!("has {} coefficients for {} rows", friction.len(), self.velocity.len());
+            let problem = format!("has {} for {}", counted(friction.len(), "coefficient"), counted(self.velocity.len(), "row"));
             return Err(Error::invalid("friction", problem, "give one coefficient per pair of rows (normal, tangent)"));
         }
         self.polyhedral(friction, &[[T::one(), T::zero()], [-T::one(), T::zero()]])
@@ -108,7 +109,7 @@ impl<T: Scalar> PlanarProblem<T> {
     pub fn polyhedral(&self, friction: &[T], directions: &[[T; 2]]) -> Result<ImpulseLcp<T>> {
         let (rows, contacts) = (self.velocity.len(), friction.len());
         if contacts == 0 || !(rows == 2 * contacts || rows == 3 * contacts) {
-            let problem = format!("has {contacts} coefficients for {rows} rows");
+            let problem = format!("has {contacts} for {rows}", contacts = counted(contacts, "coefficient"), rows = counted(rows, "row"));
             return Err(Error::invalid("friction", problem, "give one coefficient per contact of two or three rows"));
         }
         let decide = || {

@@ -22,10 +22,13 @@ pub struct Solution {
     pub iterations: usize,
     /// Which contact each is, where that is known: solvers leave it out, files carry it, so that a start survives a changed list.
     pub keys: Option<Vec<ContactKey>>,
+    /// Whether the same command finds it again: false where a time limit ended its solver, absent where nobody says so.
+    pub reproducible: Option<bool>,
 }
 
 impl Solution {
-    /// What a solver proposes: r \[N·s\], u = W r + u_free \[m/s\], and the iterations it took; β, σ and keys are not given.
+    /// What a solver proposes: r \[N·s\], u = W r + u_free \[m/s\], and the iterations it took; β, σ, keys and whether it is
+    /// reproducible are not given.
     /// ```
     /// use moreau_contact::Solution;
     /// use moreau_contact::nalgebra::dvector;
@@ -35,7 +38,7 @@ impl Solution {
     /// assert!(answer.beta.is_none());
     /// ```
     pub fn new(solver: impl Into<String>, impulse: DVector<f64>, velocity: DVector<f64>, iterations: usize) -> Self {
-        Solution { impulse, velocity, beta: None, sigma: None, solver: solver.into(), iterations, keys: None }
+        Solution { impulse, velocity, beta: None, sigma: None, solver: solver.into(), iterations, keys: None, reproducible: None }
     }
 
     /// Leaves its memory to the answers that follow in this thread, see [`spare`](crate::memory::spare).

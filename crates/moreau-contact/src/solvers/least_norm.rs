@@ -17,6 +17,7 @@ use crate::memory;
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::certificate::CERTIFY;
 use crate::tolerance::least_norm as tolerance;
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -56,7 +57,7 @@ pub fn least_norm(problem: &ContactProblem, solution: &Solution) -> Result<Solut
         return Err(Error::breakdown(NAME, "begins from an answer that is no solution; give a better one"));
     }
     let n = problem.rows();
-    memory::require(format_args!("impulses of least norm of {n} rows"), memory::matrix(n, n).saturating_mul(3))?;
+    memory::require(format_args!("impulses of least norm of {}", counted(n, "row")), memory::matrix(n, n).saturating_mul(3))?;
     let mut a = problem.dense().clone();
     (0..n).for_each(|row| a[(row, row)] += problem.row_compliance(row));
     let allowed = allowed(problem, &solution.impulse);

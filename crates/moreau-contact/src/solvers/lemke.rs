@@ -12,6 +12,7 @@ pub use super::lemke_outcome::LemkeOutcome;
 use super::lemke_tableau::Tableau;
 use crate::problem::{ImpulseLcp, Lcp};
 use crate::tolerance::solvers::lemke_pivot_limit;
+use moreau_exact::number::counted;
 use moreau_exact::scalar::{Rational, Scalar};
 use moreau_exact::witness::{Part, Witness, decided, rational};
 use moreau_exact::{Error, Result};
@@ -52,7 +53,7 @@ fn follow<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>) -> Result<LemkeOutcome
     let mut row = tableau.first_row(covering);
     for pivots in 1..=lemke_pivot_limit::<T>(size) {
         if super::watch::is_over() {
-            return Err(Error::limit("lemke", format!("was ended after {} pivots", pivots - 1)));
+            return Err(Error::limit("lemke", format!("was ended after {}", counted(pivots - 1, "pivot"))));
         }
         let leaving = tableau.pivot(row, entering, &column)?;
         let right_side = tableau.right_side();

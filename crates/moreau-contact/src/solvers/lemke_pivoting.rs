@@ -44,7 +44,7 @@ impl ContactSolver for LemkePivoting {
         let form = Form::of(problem, NAME)?;
         // pivoting starts from nothing, but impulses of another problem are a mistake here too
         super::start(problem, warm_start)?;
-        let lcp = form.scaled(problem, &form.lcp(problem)?);
+        let lcp = form.scaled(problem, &form.lcp(problem, NAME)?);
         let (mut judge, mut best, mut failure) = (Judge::default(), None::<(f64, Solution)>, None);
         for covering in lcp.coverings() {
             match lcp.solve(&covering) {

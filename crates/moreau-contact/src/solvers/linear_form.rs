@@ -8,6 +8,7 @@
 //! ```
 
 use super::balanced::balanced;
+use super::watch;
 use crate::certificate::polyhedral_solutions::{friction_lcp, friction_lcp_of};
 use crate::certificate::true_operator::operator;
 use crate::cones::polyhedral;
@@ -85,18 +86,28 @@ impl Form {
         each * problem.contacts()
     }
 
-    /// M and q.
-    pub(super) fn lcp(self, problem: &ContactProblem) -> Result<Lcp<f64>> {
-        if let Form::StewartTrinkle { .. } = self {
-            return problem.stewart_trinkle_lcp();
-        }
-        if self == Form::Normals {
-            return of_normals(problem);
-        }
+    /// M and q, in the name of this solver.
+    ///
+    /// # Errors
+    /// Where they take more memory than is allowed, and where the time is over before they are made.
+    pub(super) fn lcp(self, problem: &ContactProblem, solver: &str) -> Result<Lcp<f64>> {
         let (rows, unknowns) = (problem.rows(), self.unknowns(problem));
-        let matrices = [(2, rows, rows), (2, rows, unknowns), (TABLEAUS, unknowns, unknowns)];
+        // beside the unknowns' own matrices: W twice, and what is multiplied by it; the normals' are made entry by entry
+        let beside = if self == Form::Normals { 0 } else { 2 };
+        let matrices = [(beside, rows, rows), (beside, rows, unknowns), (TABLEAUS, unknowns, unknowns)];
         let bytes = matrices.map(|(times, n, m)| memory::matrix(n, m).saturating_mul(times)).into_iter().fold(0, u128::saturating_add);
         memory::require("this problem as a linear complementarity problem", bytes)?;
+        if watch::is_over() {
+            return Err(Error::limit(solver, "was ended before its matrix was made"));
+        }
+        match self {
+            Form::StewartTrinkle { .. } => problem.stewart_trinkle_lcp(),
+            Form::Normals => Ok(of_normals(problem)),
+            Form::Edges { .. } => self.of_edges(problem),
+        }
+    }
+
+    fn of_edges(self, problem: &ContactProblem) -> Result<Lcp<f64>> {
         let generators = self.generators(problem);
         let mut matrix = generators.tr_mul(&(problem.law_delassus()? * &generators));
         if let Some(Compliance { coordinates: Coordinates::Edge, diagonal }) = problem.compliance() {
@@ -275,11 +286,10 @@ pub(super) fn on_support(lcp: &Lcp<f64>, support: &[bool]) -> Option<DVector<f64
     members.iter().zip(values.iter()).for_each(|(&i, value)| z[i] = *value);
     Some(z)
 }
+
 /// M and q of the normal rows, entry by entry: no product of whole matrices.
-fn of_normals(problem: &ContactProblem) -> Result<Lcp<f64>> {
+fn of_normals(problem: &ContactProblem) -> Lcp<f64> {
     let (rows, contacts) = (problem.rows_per_contact(), problem.contacts());
-    let bytes = memory::matrix(contacts, contacts).saturating_mul(TABLEAUS);
-    memory::require("this problem as a linear complementarity problem", bytes)?;
     let mut matrix = DMatrix::zeros(contacts, contacts);
     let mut column = vec![0.0; problem.rows()];
     for j in 0..contacts {
@@ -289,5 +299,5 @@ fn of_normals(problem: &ContactProblem) -> Result<Lcp<f64>> {
         matrix[(j, j)] += problem.row_compliance(j * rows);
     }
     let given = |j: usize| problem.free_velocity()[j * rows] + problem.shift()[j * rows];
-    Ok(Lcp::new(matrix, DVector::from_fn(contacts, |j, _| given(j))))
+    Lcp::new(matrix, DVector::from_fn(contacts, |j, _| given(j)))
 }

@@ -11,6 +11,7 @@ use super::linear_form::Form;
 use super::{ContactSolver, on_support};
 use crate::problem::{ContactProblem, Law, Lcp, Solution};
 use crate::tolerance::complementarity::{FULL_STEPS, NEWTON_MIN_STEPS, negligible};
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
@@ -42,7 +43,7 @@ impl NewtonMin {
         let (mut fewest, mut left) = (usize::MAX, FULL_STEPS);
         for steps in 0..=self.steps {
             if super::watch::is_over() {
-                return Err(Error::limit(NAME, format!("was ended after {steps} steps")));
+                return Err(Error::limit(NAME, format!("was ended after {}", counted(steps, "step"))));
             }
             let z =
                 on_support(lcp, &support).ok_or_else(|| Error::breakdown(NAME, "met a singular basis: M is no P-matrix; use `lemke`"))?;
@@ -56,7 +57,7 @@ impl NewtonMin {
             let changed = if left > 0 { &negative[..] } else { &[last] };
             changed.iter().for_each(|&i| support[i] = !support[i]);
         }
-        Err(Error::limit(NAME, format!("made {} steps; use `lemke`", self.steps)))
+        Err(Error::limit(NAME, format!("made {}; use `lemke`", counted(self.steps, "step"))))
     }
 }
 
@@ -79,7 +80,7 @@ impl ContactSolver for NewtonMin {
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         let form = Form::frictionless(problem, NAME)?;
         let start = super::start(problem, warm_start)?;
-        let lcp = form.lcp(problem)?;
+        let lcp = form.lcp(problem, NAME)?;
         let rows = problem.rows_per_contact();
         let guess = start.as_slice().chunks_exact(rows).map(|contact| contact[0] > 0.0).collect();
         let scaled = form.scaled(problem, &lcp);

@@ -14,6 +14,7 @@ use super::linear_form::Form;
 use super::principal_tableau::PrincipalTableau;
 use crate::problem::{ContactProblem, Law, Lcp, Solution};
 use crate::tolerance::complementarity::{COVERING_MODULUS, PIVOTS_AT_ONE_PARAMETER, PRINCIPAL_PIVOTS, negligible};
+use moreau_exact::number::counted;
 use moreau_exact::scalar::Scalar;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -78,7 +79,7 @@ impl Murty {
         let mut tableau = PrincipalTableau::new(lcp, &[]);
         for pivots in 0..=self.pivots {
             if super::watch::is_over() {
-                return Err(Error::limit(MURTY, format!("was ended after {pivots} pivots")));
+                return Err(Error::limit(MURTY, format!("was ended after {}", counted(pivots, "pivot"))));
             }
             // in every place stand the two variables of its row
             let Some(place) = (0..lcp.size()).find(|&i| tableau.constants[(i, 0)] < -negligible::<T>(lcp.size())) else {
@@ -89,7 +90,7 @@ impl Murty {
             }
             tableau.exchange(place, place);
         }
-        Err(Error::limit(MURTY, format!("made {} pivots; use `parametric-pivoting` or `lemke`", self.pivots)))
+        Err(Error::limit(MURTY, format!("made {}; use `parametric-pivoting` or `lemke`", counted(self.pivots, "pivot"))))
     }
 }
 
@@ -106,7 +107,7 @@ impl ParametricPivoting {
         for pivots in 0..=self.pivots {
             let Some((s, parameter)) = next(&tableau) else { return Ok(PrincipalOutcome::Basis(tableau.support(), pivots)) };
             if super::watch::is_over() {
-                return Err(Error::limit(PARAMETRIC, format!("was ended after {pivots} pivots")));
+                return Err(Error::limit(PARAMETRIC, format!("was ended after {}", counted(pivots, "pivot"))));
             }
             let falls = least.as_ref().is_none_or(|least| parameter < *least);
             (least, since) = if falls { (Some(parameter.clone()), 0) } else { (least, since + 1) };
@@ -132,7 +133,7 @@ impl ParametricPivoting {
             tableau.exchange(s, i);
             tableau.exchange(i, s);
         }
-        Err(Error::limit(PARAMETRIC, format!("made {} pivots; use `lemke`", self.pivots)))
+        Err(Error::limit(PARAMETRIC, format!("made {}; use `lemke`", counted(self.pivots, "pivot"))))
     }
 }
 
@@ -214,7 +215,7 @@ fn through(
 ) -> Result<Solution> {
     let form = Form::frictionless(problem, name)?;
     super::start(problem, warm_start)?;
-    let lcp = form.lcp(problem)?;
+    let lcp = form.lcp(problem, name)?;
     let scaled = form.scaled(problem, &lcp);
     match basis(&scaled.lcp)? {
         PrincipalOutcome::Basis(support, pivots) => {

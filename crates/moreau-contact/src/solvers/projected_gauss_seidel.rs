@@ -28,6 +28,7 @@ use crate::operator::passes;
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::solvers as tolerance;
 use crate::tolerance::sweeps::{LOOK, PREDICTED};
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::{DVector, Matrix3};
 
@@ -87,7 +88,7 @@ impl ContactSolver for ProjectedGaussSeidel {
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         let rows = problem.rows_per_contact();
         if !is_swept(problem.law(), rows) {
-            let reason = format!("does not solve the law `{}` with {rows} rows per contact", problem.law().name());
+            let reason = format!("does not solve the law `{}` with {rows} per contact", problem.law().name(), rows = counted(rows, "row"));
             return Err(Error::refused(NAME, reason));
         }
         let start = super::start(problem, warm_start)?;

@@ -9,7 +9,7 @@ use super::{
     ProjectedGaussSeidel, ProjectedOverRelaxation, ProximalNewton,
 };
 use crate::problem::ContactProblem;
-use crate::tolerance::solvers::{ASKED_ROWS, MOST_ITERATIONS, SYMMETRY};
+use crate::tolerance::solvers::{MOST_ITERATIONS, SYMMETRY};
 use moreau_exact::error::Failure;
 use moreau_exact::{Error, Result};
 
@@ -177,8 +177,8 @@ impl Solvers {
         Ok(limited(limit))
     }
 
-    /// The names of those that take this problem and promise a solution, in order: each is asked by [`ContactSolver::takes`], and at up to
-    /// [`ASKED_ROWS`] rows by solving, which is ended at its first look.
+    /// The names of those that take this problem and promise a solution, in order: each is asked by [`ContactSolver::takes`], and by
+    /// solving, which is ended at its first look; what it takes more memory for than is allowed it does not take.
     /// ```
     /// use moreau_contact::nalgebra::{DMatrix, dvector};
     /// use moreau_contact::prelude::*;
@@ -195,7 +195,7 @@ impl Solvers {
         let takes = move |entry: &&SolverEntry| {
             let solver = (entry.default)();
             let in_scope = !solver.is_truncated() && solver.takes(problem.law(), problem.rows_per_contact(), symmetric);
-            in_scope && (problem.rows() > ASKED_ROWS || !is_refused(solver.as_ref(), problem))
+            in_scope && !is_refused(solver.as_ref(), problem)
         };
         self.0.iter().filter(takes).map(|entry| entry.name)
     }
@@ -229,17 +229,24 @@ impl Solvers {
     }
 }
 
-/// Whether it refuses the problem; an iteration ends at its first look.
+/// Whether it refuses the problem, or has no room for it; an iteration ends at its first look.
 fn is_refused(solver: &dyn ContactSolver, problem: &ContactProblem) -> bool {
     let ended = Interrupt::default();
     ended.now();
     let (answer, _) = watched(&ended, || solver.solve(problem, None));
-    matches!(answer, Err(Error::Solver { failure: Failure::Refused, .. }))
+    match answer {
+        Ok(_) => false,
+        Err(Error::Solver { failure, .. }) => failure == Failure::Refused,
+        Err(_) => true,
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::operator::BlockSparse;
+    use crate::problem::Law;
+    use nalgebra::{DVector, dmatrix};
 
     #[test]
     fn every_listed_name_is_a_solver_of_that_name_and_others_get_the_list() {
@@ -253,6 +260,22 @@ mod tests {
         if !cfg!(feature = "clarabel") {
             assert!(solvers.by_name("clarabel").err().unwrap().to_string().contains("feature `clarabel`"));
         }
+    }
+
+    #[test]
+    fn who_has_no_room_or_is_for_smaller_problems_is_not_recommended_however_large_the_problem_is() {
+        let solvers = Solvers::own();
+        let problem = |contacts: usize| {
+            let blocks = (0..contacts).map(|k| (k, k, dmatrix![2.0])).collect();
+            let w = BlockSparse::new(1, contacts, blocks).expect("blocks on the diagonal");
+            ContactProblem::new(w, DVector::from_element(contacts, -1.0)).rows_per_contact(1).law(Law::Frictionless).build().expect("posed")
+        };
+        let told = |problem: &ContactProblem| solvers.with_cure(Error::refused("pgs", "planted"), problem).to_string();
+        assert!(told(&problem(30)).ends_with("use `auto`, `lemke` or `murty`, which take this problem"));
+        // M of 20 000 unknowns takes 3.2 GB, and its pivots six times as much
+        let large = problem(20_000);
+        assert!(told(&large).ends_with("use `auto`, `psor` or `apgd`, which take this problem"), "{}", told(&large));
+        assert!(!solvers.taking(&large).any(|name| name == "enumeration"));
     }
 
     #[test]

@@ -63,11 +63,6 @@ pub const SWEEPS: usize = 100_000;
 /// Set.
 pub const MOST_ITERATIONS: usize = 100 * SWEEPS;
 
-/// Most rows of a problem for which solvers are asked by solving whether they take it; above that by their law alone. No solver takes a
-/// second for so many.
-/// Set.
-pub const ASKED_ROWS: usize = 60;
-
 /// Sweeps that Anderson's acceleration remembers. A chain of n bodies has n slow modes, and ten is the height of the piles in use.
 /// Set.
 pub const MEMORY: usize = 10;

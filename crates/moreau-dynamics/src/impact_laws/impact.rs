@@ -2,6 +2,7 @@
 
 use moreau_contact::problem::PlanarProblem;
 use moreau_contact::solvers::lemke::solution;
+use moreau_exact::number::counted;
 use moreau_exact::scalar::Scalar;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -40,7 +41,7 @@ pub(super) fn check_restitution<T: Scalar>(restitution: &[T], contacts: usize) -
         return Err(Error::invalid(
             "restitution",
             "is not a list of numbers in [0, 1], one per contact",
-            format!("give {contacts} numbers from 0 to 1"),
+            format!("give {} from 0 to 1", counted(contacts, "number")),
         ));
     }
     Ok(())

@@ -3,6 +3,7 @@
 use super::point_mass::{material, positive};
 use super::{BodyState, Mechanism};
 use moreau_contact::contact::{Contact, Rows};
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -32,7 +33,7 @@ impl BallChain {
     /// ```
     pub fn new(masses: Vec<f64>, radii: Vec<f64>, restitution: f64) -> Result<Self> {
         if masses.is_empty() || masses.len() != radii.len() {
-            let problem = format!("has {} entries for {} balls", radii.len(), masses.len());
+            let problem = format!("has {} for {}", counted(radii.len(), "entry"), counted(masses.len(), "ball"));
             return Err(Error::invalid("radii", problem, "give every ball, at least one, a mass and a radius"));
         }
         masses.iter().try_for_each(|&m| positive("masses", m))?;

@@ -3,6 +3,7 @@
 use super::{BodyState, Mechanism};
 use moreau_contact::contact::Contact;
 use moreau_contact::contact::frame::{planar_tangent, spatial_tangents};
+use moreau_exact::number::counted;
 use moreau_exact::tolerance::rounding;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector, dvector};
@@ -96,7 +97,7 @@ impl PointMass {
             return Err(Error::invalid("gravity", format!("is {:?}", gravity.as_slice()), "use 1, 2 or 3 finite components"));
         }
         if let Some(plane) = planes.iter().find(|plane| plane.normal.len() != gravity.len()) {
-            let problem = format!("has {} components", plane.normal.len());
+            let problem = format!("has {}", counted(plane.normal.len(), "component"));
             return Err(Error::invalid("normal", problem, format!("gravity has {}", gravity.len())));
         }
         Ok(PointMass { name: name.into(), mass, gravity, planes })

@@ -9,6 +9,7 @@ use super::hinged_links::{HingedLinks, Link};
 use super::point_mass::positive;
 use super::{BodyState, Mechanism, Plane};
 use moreau_contact::contact::Contact;
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -38,7 +39,7 @@ impl RodChain {
             return Err(Error::invalid("gravity", format!("is {gravity}"), "use a finite number"));
         }
         if plane.normal.len() != 2 {
-            return Err(Error::invalid("plane.normal", format!("has {} components", plane.normal.len()), "give x and z"));
+            return Err(Error::invalid("plane.normal", format!("has {}", counted(plane.normal.len(), "component")), "give x and z"));
         }
         for (mass, length) in rods {
             positive("mass", *mass)?;

@@ -18,6 +18,7 @@ use super::spatial::{Pose, Touch, six, sphere_box};
 use super::{BodyState, Mechanism, State};
 use moreau_contact::contact::frame::spatial_tangents;
 use moreau_contact::contact::{Contact, Mass, Place, Rows};
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector, Matrix3, Quaternion, Vector3};
 
@@ -68,7 +69,7 @@ impl SphereBodies {
             }
         }
         if ground.normal.len() != 3 {
-            return Err(Error::invalid("normal", format!("has {} components", ground.normal.len()), "use (x, y, z)"));
+            return Err(Error::invalid("normal", format!("has {}", counted(ground.normal.len(), "component")), "use (x, y, z)"));
         }
         Ok(SphereBodies { name: name.into(), bodies, gravity: gravity.into(), ground })
     }

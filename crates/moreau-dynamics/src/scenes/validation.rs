@@ -30,6 +30,7 @@ impl Scene {
         let mut names = HashSet::with_capacity(self.bodies.len());
         for (index, body) in self.bodies.iter().enumerate() {
             body.validate(&format!("bodies[{index}]"))?;
+            body.validate_size(&format!("bodies[{index}]"), &self.gravity)?;
             if !names.insert(&body.name) {
                 return Err(Error::invalid(format!("bodies[{index}].name"), format!("`{}` occurs twice", body.name), "use unique names"));
             }
@@ -66,6 +67,24 @@ impl Body {
         unit(&field("orientation"), &self.orientation)?;
         finite(&field("linear_velocity"), &self.linear_velocity)?;
         finite(&field("angular_velocity"), &self.angular_velocity)
+    }
+
+    /// What moves a free body are numbers: the inverses of mass and moments, and the weight.
+    fn validate_size(&self, path: &str, gravity: &[f64; 3]) -> Result<()> {
+        let Some(shape) = self.only_shape().ok().filter(|_| !self.is_static && self.prescribed.is_none()) else { return Ok(()) };
+        let moments = self.inertia.unwrap_or(shape.solid_moments(self.mass));
+        let is_of_size = |number: &f64| number.is_finite() && number.recip().is_finite();
+        let wrong = if !is_of_size(&self.mass) {
+            "has an inverse that is no number"
+        } else if !moments.iter().all(is_of_size) {
+            "comes with a moment of inertia that is no number, or its inverse is none"
+        } else if gravity.iter().any(|g| !(self.mass * g).is_finite()) {
+            "makes a weight that is no number"
+        } else {
+            return Ok(());
+        };
+        let problem = format!("is {:e}, which {wrong}", self.mass);
+        Err(Error::invalid(format!("{path}.mass"), problem, "use other units, in which masses and sizes are nearer to 1"))
     }
 
     /// A free body has a mass; one that is not has none, no inertia, and no velocity of its own.
@@ -195,6 +214,14 @@ mod tests {
         }
         scene.bodies[0].orientation = [f64::NAN, 0.0, 0.0, 0.0];
         assert!(scene.validate().is_err() && scene.to_json().is_err());
+    }
+
+    #[test]
+    fn a_mass_whose_inverse_moments_or_weight_are_no_numbers_is_named() {
+        for (mass, word) in [("1e308", "a weight that is no number"), ("1e-308", "a moment of inertia"), ("1e-310", "has an inverse")] {
+            let told = message("\"mass\": 1.0", &format!("\"mass\": {mass}"));
+            assert!(told.contains("`bodies[0].mass`: is 1e") && told.contains(word) && told.contains("use other units"), "{told}");
+        }
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use crate::mechanics::{Mechanism, State};
 use moreau_contact::contact::{Contact, Inertia};
 use moreau_contact::memory::spare::{self, Lent, Spare};
-use moreau_exact::number::are_finite;
+use moreau_exact::number::{are_finite, counted};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 use std::cell::OnceCell;
@@ -125,7 +125,7 @@ fn check_input(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<()> {
         return Err(Error::invalid("time_step", format!("is {h}"), "use a positive number of seconds"));
     }
     if state.velocity.len() != mechanism.degrees_of_freedom() {
-        let problem = format!("has {} entries", state.velocity.len());
+        let problem = format!("has {}", counted(state.velocity.len(), "entry"));
         return Err(Error::invalid("velocity", problem, format!("{} has {}", mechanism.name(), mechanism.degrees_of_freedom())));
     }
     mechanism.check_speed(&state.velocity, h)

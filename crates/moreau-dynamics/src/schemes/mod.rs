@@ -36,6 +36,7 @@ pub use euler::Euler;
 pub use events::Events;
 pub use generalised_alpha::GeneralisedAlpha;
 pub use moreau_contact::contact::Inertia;
+use moreau_exact::number::counted;
 pub use moreau_jean::{Activation, MoreauJean, RestitutionRule};
 pub use moreau_jean_projection::MoreauJeanProjection;
 pub use position_based::{PositionBased, Softness};
@@ -129,7 +130,7 @@ pub fn record_certified(
 ) -> Result<()> {
     let (initial, h) = (recording.last().clone(), recording.time_step);
     let sample = memory::matrix(initial.position.len() + initial.velocity.len(), 1) + size_of::<State>() as u128;
-    memory::require(format_args!("recording {steps} steps of {}", mechanism.name()), steps as u128 * sample)?;
+    memory::require(format_args!("recording {steps} of {}", mechanism.name(), steps = counted(steps, "step")), steps as u128 * sample)?;
     let truncated = scheme.is_truncated() || solver.is_truncated();
     run_certified(scheme, solver, mechanism, initial, h, steps, |step| {
         recording.push_judged(step.state.clone(), step.impulses.clone(), step.residual, step.judgement(truncated));

@@ -3,6 +3,7 @@
 //! It is one polyline, monotone in t, whose vertical segments are the jumps. Two velocities whose impacts differ by a
 //! small shift in time are far apart in the maximum norm and close as filled-in graphs (Moreau).
 
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 
 /// A polyline (t_i, y_i) with t₀ ≤ t₁ ≤ …; equal neighbouring times are a jump.
@@ -122,7 +123,11 @@ fn same_length(times: &[f64], values: &[f64]) -> Result<()> {
     if times.len() == values.len() {
         return Ok(());
     }
-    Err(Error::invalid("graph", format!("has {} times and {} values", times.len(), values.len()), "give one value per time"))
+    Err(Error::invalid(
+        "graph",
+        format!("has {} and {}", counted(times.len(), "time"), counted(values.len(), "value")),
+        "give one value per time",
+    ))
 }
 
 #[cfg(test)]

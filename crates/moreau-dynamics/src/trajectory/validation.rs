@@ -2,6 +2,7 @@
 
 use super::file::{BodyTrack, SCHEMA, Trajectory};
 use crate::tolerance::trajectory::UNIT_LENGTH;
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 
 /// The name that stands for the plane in contacts.
@@ -29,7 +30,7 @@ impl Trajectory {
     fn validate_steps(&self) -> Result<()> {
         let Some(super::StepResiduals { limit, relative, accepted }) = &self.steps else { return Ok(()) };
         if relative.len() != accepted.len() {
-            let problem = format!("has {} entries, but `steps.relative` has {}", accepted.len(), relative.len());
+            let problem = format!("has {}, but `steps.relative` has {}", counted(accepted.len(), "entry"), relative.len());
             return Err(Error::invalid("steps.accepted", problem, "give one entry per step in both"));
         }
         let is_size = |x: &f64| x.is_finite() && *x >= 0.0;
@@ -55,7 +56,7 @@ impl Trajectory {
     fn validate_bodies(&self) -> Result<()> {
         if self.bodies.len() != self.scene.bodies.len() {
             let cure = format!("give {}, one per body of the scene", self.scene.bodies.len());
-            return Err(Error::invalid("bodies", format!("has {} tracks", self.bodies.len()), cure));
+            return Err(Error::invalid("bodies", format!("has {}", counted(self.bodies.len(), "track")), cure));
         }
         for (index, (track, body)) in self.bodies.iter().zip(&self.scene.bodies).enumerate() {
             if track.name != body.name {
@@ -102,7 +103,7 @@ impl BodyTrack {
 
 fn vectors<const N: usize>(field: &str, rows: &[[f64; N]], samples: usize) -> Result<()> {
     if rows.len() != samples {
-        return Err(Error::invalid(field, format!("has {} samples", rows.len()), format!("give {samples}, one per time")));
+        return Err(Error::invalid(field, format!("has {}", counted(rows.len(), "sample")), format!("give {samples}, one per time")));
     }
     rows.iter().enumerate().try_for_each(|(k, row)| finite(&format!("{field}[{k}]"), row))
 }

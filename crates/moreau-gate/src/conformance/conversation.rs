@@ -1,8 +1,8 @@
 //! Probes of the conversation itself: lines, numbers, refusals, the end.
 
-use crate::conformance::{Probe, ProbeOutcome, Seen, demand, probe, problem, skipped};
+use crate::conformance::{ProbeOutcome, Probes, Seen, demand, problem, skipped};
 use crate::process::messages::{Answer, PROTOCOL};
-use crate::process::{Fault, Limits, Session, messages};
+use crate::process::{Fate, Fault, Limits, Session, messages};
 use crate::{Description, Refusal};
 use serde_json::{Value, json};
 use std::time::Duration;
@@ -22,7 +22,15 @@ pub(super) struct Talk<'a> {
     limits: Limits,
     session: Option<Session>,
     id: u64,
+    /// How many requests in a row had no reply within the time limit.
+    silences: usize,
 }
+
+/// Why a probe is not run then.
+const SILENT: &str = "the adapter does not reply within the time limit, so that nothing more is asked";
+
+/// Requests in a row without a reply, after which no other one is made.
+const SILENCES: usize = 2;
 
 /// The text of a result, or the refusal the adapter answered.
 type Told = Result<String, Refusal>;
@@ -31,7 +39,7 @@ impl<'a> Talk<'a> {
     /// A conversation that has not begun.
     pub(super) fn new(command: &'a [String], limits: Limits) -> Self {
         // numbers beyond 32 bits show an adapter that keeps them in too small a type
-        Talk { command, limits, session: None, id: 5_000_000_000 }
+        Talk { command, limits, session: None, id: 5_000_000_000, silences: 0 }
     }
 
     fn session(&mut self) -> Result<Session, Fault> {
@@ -41,9 +49,17 @@ impl<'a> Talk<'a> {
     /// Says a line; gives back the line that answers.
     fn say(&mut self, line: &str) -> Result<Vec<u8>, Fault> {
         let mut session = self.session()?;
-        let reply = session.exchange(line)?;
+        let reply = session.exchange(line);
+        let is_silent = matches!(&reply, Err(Fault { cause: Fate::TimedOut(..), .. }));
+        self.silences = if is_silent { self.silences + 1 } else { 0 };
+        let reply = reply?;
         self.session = Some(session);
         Ok(reply)
+    }
+
+    /// Whether more waiting is in vain: twice in a row, or when it was asked to describe itself, it kept silent.
+    pub(super) fn is_over(&self) -> bool {
+        self.silences >= SILENCES
     }
 
     /// Asks with a protocol and a new number.
@@ -64,9 +80,16 @@ impl<'a> Talk<'a> {
         self.ask_in(PROTOCOL, request).map_err(|fault| problem(fault, ONE_LINE))?.map_err(malformed)
     }
 
-    /// The first question.
+    /// What a probe sees, unless waiting is in vain.
+    fn unless_over(&mut self, look: &dyn Fn(&mut Talk) -> Seen) -> Seen {
+        if self.is_over() { Err(skipped(SILENT)) } else { look(self) }
+    }
+
+    /// The first question; without a reply to it nothing else is asked.
     pub(super) fn describe(&mut self) -> Result<Result<Told, String>, Fault> {
-        self.ask_in(PROTOCOL, json!({"request": "describe"}))
+        let described = self.ask_in(PROTOCOL, json!({"request": "describe"}));
+        self.silences *= SILENCES;
+        described
     }
 }
 
@@ -90,22 +113,16 @@ pub(super) fn described(first: Result<Result<Told, String>, Fault>) -> Result<De
 }
 
 /// Everything but the farewell.
-pub(super) fn probe_all(talk: &mut Talk, description: Option<&Description>, probes: &mut Vec<Probe>) {
-    probes.push(probe("line/same-twice", "the same request gets the same answer twice", same_twice(talk)));
-    probes.push(probe("line/unknown-request", "an unknown request is answered `unsupported`", unknown_request(talk)));
-    probes.push(probe(
-        "line/garbage",
-        "a line that is not JSON is answered `error`, and the next line is answered as usual",
-        garbage(talk),
-    ));
-    probes.push(probe("line/version", "another version of the protocol is refused", other_version(talk)));
-    probes.push(probe("describe/unknown-option", "an unknown option is an `error`", unknown_option(talk)));
-    probes.push(probe(
-        "describe/known-options",
-        "a request may state the options and parameters that the description gives, with their values",
-        known_options(talk, description),
-    ));
-    probes.push(probe("line/nothing-else", "nothing but replies is written on standard output", silent(talk)));
+pub(super) fn probe_all(talk: &mut Talk, description: Option<&Description>, probes: &mut Probes) {
+    let mut ask = |name, demand, look: &dyn Fn(&mut Talk) -> Seen| probes.ask(name, demand, || talk.unless_over(look));
+    ask("line/same-twice", "the same request gets the same answer twice", &same_twice);
+    ask("line/unknown-request", "an unknown request is answered `unsupported`", &unknown_request);
+    ask("line/garbage", "a line that is not JSON is answered `error`, and the next line is answered as usual", &garbage);
+    ask("line/version", "another version of the protocol is refused", &other_version);
+    ask("describe/unknown-option", "an unknown option is an `error`", &unknown_option);
+    let stated = "a request may state the options and parameters that the description gives, with their values";
+    ask("describe/known-options", stated, &|talk| known_options(talk, description));
+    ask("line/nothing-else", "nothing but replies is written on standard output", &silent);
 }
 
 fn same_twice(talk: &mut Talk) -> Seen {
@@ -178,9 +195,9 @@ fn silent(talk: &mut Talk) -> Seen {
 }
 
 /// The two ways to end.
-pub(super) fn probe_farewell(talk: &mut Talk, probes: &mut Vec<Probe>) {
-    probes.push(probe("end/bye", "`bye` is answered, and the adapter ends", bye(talk)));
-    probes.push(probe("end/input", "the adapter ends when its standard input does", end_of_input(talk)));
+pub(super) fn probe_farewell(talk: &mut Talk, probes: &mut Probes) {
+    probes.ask("end/bye", "`bye` is answered, and the adapter ends", || talk.unless_over(&bye));
+    probes.ask("end/input", "the adapter ends when its standard input does", || talk.unless_over(&end_of_input));
 }
 
 fn bye(talk: &mut Talk) -> Seen {

@@ -5,6 +5,7 @@ use crate::description::{BodyKind, OneOrMany, Parameter};
 use crate::model::Model;
 use crate::model::addition::Addition;
 use crate::{Description, Kind, Level, unit};
+use moreau_exact::number::counted;
 
 /// Names of numbers with their units; no unit where the number is a list of several.
 type Numbers = &'static [(&'static str, &'static str)];
@@ -125,7 +126,7 @@ fn units(description: &Description) -> Seen {
             return Err(problem(format!("{} has several units for one number", field()), "give one unit"));
         }
         if let (OneOrMany::Many(values), OneOrMany::Many(units)) = (&parameter.value, &parameter.unit) {
-            let why = || format!("{} has {} values and {} units", field(), values.len(), units.len());
+            let why = || format!("{} has {} and {}", field(), counted(values.len(), "value"), counted(units.len(), "unit"));
             demand(values.len() == units.len(), why, "give one unit for all, or one per entry")?;
         }
         if let (Some(expected), OneOrMany::One(unit)) = (expected_unit(model.law.as_deref(), name), &parameter.unit) {

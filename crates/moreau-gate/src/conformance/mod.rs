@@ -20,7 +20,7 @@ use crate::{Description, Engine, Level, Options, Reply};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::trajectory::Trajectory;
 use schemars::JsonSchema;
-use seen::{Seen, demand, probe, problem, refused, skipped};
+use seen::{Probes, Seen, demand, probe, problem, refused, skipped};
 use serde::Serialize;
 
 /// The outcomes of all probes, with the description if there is a sound one.
@@ -39,28 +39,33 @@ impl Conformance {
     }
 }
 
-/// What the probes of the description, of motion and of contact impulses find wrong with an engine under these options; nothing of an
-/// engine that does not describe itself, which a run will tell.
+/// What the probes of the description, of motion and of contact impulses find wrong with an engine under these options.
+///
+/// # Errors
+/// [`Refusal`](crate::Refusal) if the engine does not describe itself: then no check can be run either, and nobody need wait for it again.
 ///
 /// ```
 /// use moreau_gate::{Engine, Options, conformance::misreported, own, planted};
 ///
-/// let told = |mut engine: Box<dyn Engine>| misreported(engine.as_mut(), &Options::new()).len();
+/// let told = |mut engine: Box<dyn Engine>| misreported(engine.as_mut(), &Options::new()).map_or(0, |probes| probes.len());
 /// assert_eq!(told(Box::new(own::by_name("moreau-jean")?)), 0);
 /// let late = planted::find("flight/samples-a-step-late").expect("planted");
 /// assert!(told((late.subject.engine)()) > 0);
 /// # Ok::<(), moreau_exact::Error>(())
 /// ```
-pub fn misreported(engine: &mut dyn Engine, options: &Options) -> Vec<Probe> {
-    let Ok(description) = engine.describe(options) else { return Vec::new() };
-    let mut probes = Vec::new();
-    description::probe_all(&description, &mut probes);
+pub fn misreported(engine: &mut dyn Engine, options: &Options) -> Reply<Vec<Probe>> {
+    let description = engine.describe(options)?;
+    let mut probes = Probes::heard_by(&|_| ());
+    description::probe_all(&description, &mut probes.done);
     if description.levels.contains(&Level::Simulate) {
         motion::probe_all(&mut Under { engine, options }, &description, &mut probes);
     }
-    probes.retain(|probe| matches!(probe.outcome, ProbeOutcome::Problem { .. }));
-    probes
+    probes.done.retain(|probe| matches!(probe.outcome, ProbeOutcome::Problem { .. }));
+    Ok(probes.done)
 }
+
+/// The first probe.
+const DESCRIBED: &str = "describe/answers";
 
 /// An engine whose every simulation has these options.
 struct Under<'a> {
@@ -84,20 +89,32 @@ impl Engine for Under<'_> {
 /// # Errors
 /// [`Fault`] if the program cannot be started, or ends before it has answered anything.
 pub fn conformance(command: &[String], limits: Limits) -> Result<Conformance, Fault> {
+    conformance_heard(command, limits, &|_| ())
+}
+
+/// [`conformance`] with an ear: `asked` hears the name of each probe that waits for the adapter, before it does. An adapter that keeps
+/// silent when it is asked to describe itself, or twice in a row later, is asked no more, and the probes left are skipped.
+///
+/// # Errors
+/// Those of [`conformance`].
+pub fn conformance_heard(command: &[String], limits: Limits, asked: &dyn Fn(&str)) -> Result<Conformance, Fault> {
     let mut talk = conversation::Talk::new(command, limits);
+    let mut probes = Probes::heard_by(asked);
+    probes.begin(DESCRIBED);
     let first = talk.describe();
     if let Err(fault) = &first
         && matches!(fault.cause, Fate::NotStarted(_) | Fate::Ended(..))
     {
         return Err(fault.clone());
     }
-    let mut probes = Vec::new();
     let described = conversation::described(first);
     let engine = described.as_ref().ok().cloned();
-    probes.push(probe("describe/answers", "describe is answered with the fields of the specification", described.map(drop)));
+    probes.push(probe(DESCRIBED, "describe is answered with the fields of the specification", described.map(drop)));
     conversation::probe_all(&mut talk, engine.as_ref(), &mut probes);
     if let Some(description) = &engine {
-        description::probe_all(description, &mut probes);
+        description::probe_all(description, &mut probes.done);
+    }
+    if let Some(description) = engine.as_ref().filter(|_| !talk.is_over()) {
         let mut process = ProcessEngine::new(command.to_vec(), limits);
         if description.levels.contains(&Level::Simulate) {
             motion::probe_all(&mut process, description, &mut probes);
@@ -105,5 +122,5 @@ pub fn conformance(command: &[String], limits: Limits) -> Result<Conformance, Fa
         tasks::probe_all(&mut process, description, &mut probes);
     }
     conversation::probe_farewell(&mut talk, &mut probes);
-    Ok(Conformance { engine, probes })
+    Ok(Conformance { engine, probes: probes.done })
 }

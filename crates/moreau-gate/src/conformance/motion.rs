@@ -1,13 +1,14 @@
 //! Probes of simulated motion: samples, initial state, gravity, restitution, repetition.
 
 use crate::conformance::scenes::{EVERY, STEPS, bouncing_ball, landing_ball, thrown_ball, tumbling_brick};
-use crate::conformance::{Probe, ProbeOutcome, Seen, contacts, demand, probe, problem, refused, rotation, skipped, unmoved};
+use crate::conformance::{ProbeOutcome, Probes, Seen, contacts, demand, probe, problem, refused, rotation, skipped, unmoved};
 use crate::model::Model;
 use crate::tolerance::SAME_TIME;
 use crate::tolerance::conformance::{FREE_FALL, RESTITUTION, STEP, same_state};
 use crate::{Description, Engine, Options, Refusal};
 use moreau_dynamics::scenes::{Body, Scene};
 use moreau_dynamics::trajectory::{BodyTrack, Trajectory};
+use moreau_exact::number::counted;
 use nalgebra::{Vector3, Vector4};
 
 /// The motion of a scene, or why there is none to look at.
@@ -25,7 +26,8 @@ fn as_far(motion: &Motion) -> Result<&Trajectory, ProbeOutcome> {
     motion.as_ref().map_err(|_| skipped("there is no motion to look at"))
 }
 
-pub(super) fn probe_all(engine: &mut dyn Engine, description: &Description, probes: &mut Vec<Probe>) {
+pub(super) fn probe_all(engine: &mut dyn Engine, description: &Description, probes: &mut Probes) {
+    probes.begin("simulate/answers");
     let (scene, thrown) = thrown(engine, description);
     probes.push(probe("simulate/answers", "a sound trajectory/1 is the result", thrown.as_ref().map(drop).map_err(Clone::clone)));
     if matches!(thrown, Err(ProbeOutcome::Problem { .. })) {
@@ -34,27 +36,29 @@ pub(super) fn probe_all(engine: &mut dyn Engine, description: &Description, prob
     }
     if thrown.is_ok() {
         probe_samples(engine, description, &scene, &thrown, probes);
-        probes.push(probe("simulate/unknown-option", "an unknown option is an `error`", unknown_option(engine, &scene)));
+        probes.ask("simulate/unknown-option", "an unknown option is an `error`", || unknown_option(engine, &scene));
     }
+    probes.begin("simulate/orientation");
     let tumbling = tumbling_brick();
     let brick = simulate(engine, description, &tumbling, 1);
     let start = brick.as_ref().map_err(Clone::clone).and_then(|brick| initial_state(brick, &tumbling, description));
     probes.push(probe("simulate/orientation", "orientations are unit quaternions w, x, y, z from body to world, as in the scene", start));
     let frame = as_far(&brick).and_then(rotation::frame);
     probes.push(probe("simulate/angular-velocity", "angular velocities are in the world frame, given and reported", frame));
-    contacts::probe_all(simulate(engine, description, &landing_ball(), EVERY), description, probes);
-    probes.push(probe(
+    probes.begin("contacts/normal");
+    contacts::probe_all(simulate(engine, description, &landing_ball(), EVERY), description, &mut probes.done);
+    probes.ask(
         "simulate/restitution",
         "a scene with restitution is simulated with it, or refused if the description says that there is none",
-        restitution(engine, description),
-    ));
-    probes.push(probe(
+        || restitution(engine, description),
+    );
+    probes.ask(
         "simulate/unmoved",
         "declared static bodies stay where they are, and declared prescribed ones keep their velocity, whatever touches them",
-        unmoved::stay_or_move_as_prescribed(engine, description),
-    ));
-    let again = as_far(&thrown).and_then(|thrown| same_again(engine, description, &scene, thrown));
-    probes.push(probe("simulate/same-twice", "the same request gets the same answer, bit by bit, whatever requests come between", again));
+        || unmoved::stay_or_move_as_prescribed(engine, description),
+    );
+    let again = || as_far(&thrown).and_then(|thrown| same_again(engine, description, &scene, thrown));
+    probes.ask("simulate/same-twice", "the same request gets the same answer, bit by bit, whatever requests come between", again);
 }
 
 /// The motion of a thrown ball; of one without spin where the engine knows none.
@@ -70,15 +74,15 @@ fn thrown(engine: &mut dyn Engine, description: &Description) -> (Scene, Motion)
     (scene, motion)
 }
 
-fn probe_samples(engine: &mut dyn Engine, description: &Description, scene: &Scene, thrown: &Motion, probes: &mut Vec<Probe>) {
+fn probe_samples(engine: &mut dyn Engine, description: &Description, scene: &Scene, thrown: &Motion, probes: &mut Probes) {
     let sampled = as_far(thrown).and_then(|thrown| samples(thrown, scene, 1));
     probes.push(probe("simulate/samples", "samples are at k·sample_every·h, beginning with t = 0, up to the duration", sampled));
     let start = as_far(thrown).and_then(|thrown| initial_state(thrown, scene, description));
     probes.push(probe("simulate/initial-state", "the first sample is the scene's initial state", start));
     let falling = as_far(thrown).and_then(|thrown| free_fall(thrown, scene, description));
     probes.push(probe("simulate/gravity", "a body without contact falls with the scene's gravity", falling));
-    let sparse = as_far(thrown).and_then(|thrown| sample_every(engine, thrown, scene, description));
-    probes.push(probe("simulate/sample-every", "a request for every third state gives the same motion, sampled less often", sparse));
+    let sparse = || as_far(thrown).and_then(|thrown| sample_every(engine, thrown, scene, description));
+    probes.ask("simulate/sample-every", "a request for every third state gives the same motion, sampled less often", sparse);
 }
 
 fn samples(trajectory: &Trajectory, scene: &Scene, every: usize) -> Seen {
@@ -91,7 +95,7 @@ fn samples(trajectory: &Trajectory, scene: &Scene, every: usize) -> Seen {
         "report the engine's step, as it was asked for",
     )?;
     let (count, expected) = (trajectory.times.len(), STEPS / every + 1);
-    let why = || format!("there are {count} samples instead of {expected}");
+    let why = || format!("there are {count} instead of {expected}", count = counted(count, "sample"));
     demand(count == expected, why, missing_sample(count, expected, every))?;
     let late = (0..expected).find(|&k| (trajectory.times[k] - (k * every) as f64 * STEP).abs() > SAME_TIME * scene.duration);
     match late {
@@ -257,12 +261,12 @@ mod tests {
     #[test]
     fn an_engine_without_spin_is_looked_at_as_well() {
         let wrong = |forgets: bool| {
-            let mut probes = Vec::new();
+            let mut probes = Probes::heard_by(&|_| ());
             let mut engine = WithoutSpin { forgets };
             let description = engine.describe(&Options::new()).expect("describes itself");
             probe_all(&mut engine, &description, &mut probes);
-            probes.retain(|probe| matches!(probe.outcome, ProbeOutcome::Problem { .. }));
-            probes.into_iter().map(|probe| probe.probe).collect::<Vec<_>>()
+            probes.done.retain(|probe| matches!(probe.outcome, ProbeOutcome::Problem { .. }));
+            probes.done.into_iter().map(|probe| probe.probe).collect::<Vec<_>>()
         };
         assert_eq!(wrong(false), [""; 0]);
         assert!(wrong(true).contains(&"simulate/initial-state".to_string()));

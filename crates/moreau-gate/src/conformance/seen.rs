@@ -44,6 +44,35 @@ pub(super) fn probe(name: &'static str, demand: &'static str, seen: Seen) -> Pro
     Probe { probe: name.into(), demand: demand.into(), outcome }
 }
 
+/// The probes so far, and who hears which one is asked next.
+pub(super) struct Probes<'a> {
+    pub(super) done: Vec<Probe>,
+    asked: &'a dyn Fn(&str),
+}
+
+impl<'a> Probes<'a> {
+    /// None yet; `asked` hears the name of each before it waits for the engine.
+    pub(super) fn heard_by(asked: &'a dyn Fn(&str)) -> Self {
+        Probes { done: Vec::new(), asked }
+    }
+
+    /// Tells that the engine is asked for this probe now.
+    pub(super) fn begin(&self, name: &str) {
+        (self.asked)(name);
+    }
+
+    /// A probe that asks the engine.
+    pub(super) fn ask(&mut self, name: &'static str, demand: &'static str, look: impl FnOnce() -> Seen) {
+        self.begin(name);
+        self.push(probe(name, demand, look()));
+    }
+
+    /// A probe of what is known.
+    pub(super) fn push(&mut self, probe: Probe) {
+        self.done.push(probe);
+    }
+}
+
 pub(super) fn problem(why: impl std::fmt::Display, cure: impl Into<String>) -> ProbeOutcome {
     ProbeOutcome::Problem { why: why.to_string(), cure: cure.into() }
 }

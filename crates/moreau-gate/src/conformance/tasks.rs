@@ -1,6 +1,6 @@
 //! Probes of the levels `solve` and `project`: sizes, order, conventions.
 
-use crate::conformance::{Probe, Seen, demand, probe, problem, refused, skipped};
+use crate::conformance::{Probes, Seen, demand, problem, refused, skipped};
 use crate::tolerance::conformance::{PROJECTION, SOLUTION};
 use crate::{Description, Engine, Level, Options};
 use moreau_contact::problem::{ContactProblem, Law};
@@ -9,13 +9,14 @@ use nalgebra::{DMatrix, DVector};
 /// μ of the probes.
 const FRICTION: f64 = 0.5;
 
-pub(super) fn probe_all(engine: &mut dyn Engine, description: &Description, probes: &mut Vec<Probe>) {
+pub(super) fn probe_all(engine: &mut dyn Engine, description: &Description, probes: &mut Probes) {
     if description.levels.contains(&Level::Solve) {
         let demand = "impulse and velocity are ordered (normal, tangent 1, tangent 2), and u = W r + u_free";
-        probes.push(probe("solve/conventions", demand, solve(engine, description)));
+        probes.ask("solve/conventions", demand, || solve(engine, description));
     }
     if description.levels.contains(&Level::Project) {
-        probes.push(probe("project/conventions", "points are (n, t…) in the same order as asked, projected on ‖t‖ ≤ μ n", project(engine)));
+        let demand = "points are (n, t…) in the same order as asked, projected on ‖t‖ ≤ μ n";
+        probes.ask("project/conventions", demand, || project(engine));
     }
 }
 

@@ -12,6 +12,7 @@ use moreau_contact::problem::{ContactProblem, Solution};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::trajectory;
 use moreau_dynamics::trajectory::Trajectory;
+use moreau_exact::number::counted;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
@@ -211,8 +212,8 @@ pub fn solution(text: &str, rows: usize) -> moreau_exact::Result<Solution> {
         if vector.len() != rows {
             return Err(moreau_exact::Error::invalid(
                 field,
-                format!("has {} entries", vector.len()),
-                format!("the problem has {rows} rows"),
+                format!("has {}", counted(vector.len(), "entry")),
+                format!("the problem has {}", counted(rows, "row")),
             ));
         }
     }
@@ -229,7 +230,7 @@ pub fn points(text: &str, asked: &[Vec<f64>]) -> moreau_exact::Result<Vec<Vec<f6
     if sizes(&points) != sizes(asked) {
         return Err(moreau_exact::Error::invalid(
             "points",
-            format!("has {} rows", points.len()),
+            format!("has {}", counted(points.len(), "row")),
             "answer every point with a point of the same size",
         ));
     }
@@ -301,7 +302,7 @@ mod tests {
         assert_eq!(points(r#"{"points":[[1,0.5]]}"#, &asked).expect("well formed"), [[1.0, 0.5]]);
         let short = r#"{"schema":"solution/1","impulse":[1],"velocity":[0]}"#;
         assert!(solution(short, 1).is_ok());
-        assert!(solution(short, 2).expect_err("too short").to_string().contains("`impulse`: has 1 entries"));
+        assert!(solution(short, 2).expect_err("too short").to_string().contains("`impulse`: has 1 entry"));
         let bad = r#"{"name":"x","version":"1","precision":"half"}"#;
         assert!(description(bad).expect_err("unknown precision").to_string().contains("`precision`"));
     }

@@ -16,6 +16,7 @@ use moreau_contact::contact::Place;
 use moreau_contact::contact::delassus::MassFactor;
 use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::schemes::StepContext;
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
@@ -50,7 +51,7 @@ impl Mujoco {
     pub fn inverse(&self, mechanism: &dyn Mechanism, state: &State, acceleration: &DVector<f64>, h: f64) -> Result<InverseDynamics> {
         StepContext::new(mechanism, state, h)?;
         if acceleration.len() != state.velocity.len() {
-            let problem = format!("has {} entries", acceleration.len());
+            let problem = format!("has {}", counted(acceleration.len(), "entry"));
             return Err(Error::invalid("acceleration", problem, format!("{} has {}", mechanism.name(), state.velocity.len())));
         }
         let mut applied = mechanism.mass_matrix(&state.position) * acceleration - mechanism.force(&state.position, &state.velocity);

@@ -17,6 +17,7 @@ use crate::tolerance::references::{siconos_alpha_step, siconos_step};
 use moreau_contact::solvers::LemkePivoting;
 use moreau_dynamics::mechanics::{Mechanism, OscillatorWithStop, PointMass, State};
 use moreau_dynamics::schemes::{GeneralisedAlpha, Scheme, simulate, step};
+use moreau_exact::number::counted;
 use moreau_exact::tolerance::rounding;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -79,7 +80,7 @@ impl SiconosAlpha {
         if run.times.len() < 3 || rows.iter().any(|count| *count != run.times.len()) {
             return Err(Error::invalid(
                 "times",
-                format!("has {} entries, but the other lists need {rows:?}", run.times.len()),
+                format!("has {}, but the other lists need {rows:?}", counted(run.times.len(), "entry")),
                 "store the start and one row per event",
             ));
         }

@@ -16,6 +16,7 @@ use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::solvers::LemkePivoting;
 use moreau_dynamics::event_driven::{EventDriven, Passage};
 use moreau_dynamics::mechanics::{Mechanism, State};
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 use serde::Deserialize;
@@ -65,7 +66,7 @@ impl SiconosEvents {
         let run: SiconosEvents = serde_json::from_str(text)?;
         let rows = [run.impacts.len(), run.positions.len(), run.velocities.len(), run.impulses.len() + 1, run.integrator_steps.len() + 1];
         if run.times.len() < 2 || rows.iter().any(|count| *count != run.times.len()) {
-            let problem = format!("has {} entries, but the other lists need {rows:?}", run.times.len());
+            let problem = format!("has {}, but the other lists need {rows:?}", counted(run.times.len(), "entry"));
             return Err(Error::invalid("times", problem, "store the start and one row per event"));
         }
         Ok(run)

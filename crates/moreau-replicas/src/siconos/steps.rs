@@ -18,6 +18,7 @@ use moreau_dynamics::mechanics::{
     BallChain, BeadInCircle, LinearForce, Mechanism, OscillatorWithStop, Plane, PointMass, State, answers_as,
 };
 use moreau_dynamics::schemes::{MoreauJean, MoreauJeanProjection, SchatzmanPaoli, Scheme, step};
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::{DVector, dvector};
 use serde::Deserialize;
@@ -97,7 +98,7 @@ impl SiconosSteps {
         let run: SiconosSteps = serde_json::from_str(text)?;
         let states = run.impulses.len() + 1;
         if run.positions.len() != states || run.velocities.len() != states || states == 1 {
-            let problem = format!("has {} rows for {} steps", run.positions.len(), run.impulses.len());
+            let problem = format!("has {} for {}", counted(run.positions.len(), "row"), counted(run.impulses.len(), "step"));
             return Err(Error::invalid("positions", problem, "store the start and one row per step"));
         }
         Ok(run)

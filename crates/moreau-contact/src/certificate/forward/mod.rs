@@ -41,6 +41,7 @@ use dependent::LeftOut;
 pub(super) use dependent::independent_rows;
 use krawczyk::{Enclosed, System};
 pub(super) use mechanism::{groups, uncertainty};
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use pattern::{Contact, of, pressed_rows, read_off};
@@ -185,6 +186,11 @@ enum Ended {
     },
 }
 
+/// How many rows depend, in words.
+fn depending(rows: usize) -> String {
+    format!("{} depend{}", counted(rows, "row"), if rows == 1 { "s" } else { "" })
+}
+
 impl<'a> Proof<'a> {
     fn new(problem: &'a ContactProblem, answer: &'a Solution, joints: Option<&'a ByRows>) -> Self {
         let radius = mechanism::uncertainty(problem);
@@ -259,8 +265,8 @@ impl<'a> Proof<'a> {
                 Ended::Proved(radius) => Forward::Proved(radius),
                 Ended::NotEnclosed(contact) => {
                     let text = format!(
-                        "{} rows depend exactly on others, and the equations of {} are nearly dependent besides",
-                        dependent.len(),
+                        "{} exactly on others, and the equations of {} are nearly dependent besides",
+                        depending(dependent.len()),
                         self.name(contact)
                     );
                     Forward::refused(text, contact)
@@ -268,9 +274,9 @@ impl<'a> Proof<'a> {
                 Ended::Undecided { contacts, .. } => {
                     let k = contacts[0];
                     let text = format!(
-                        "{}, where {} rows depend exactly on others (the first at {})",
+                        "{}, where {} exactly on others (the first at {})",
                         self.border(k, cases),
-                        dependent.len(),
+                        depending(dependent.len()),
                         self.name(dependent[0].given / rows)
                     );
                     Forward::refused(text, k)

@@ -8,6 +8,7 @@ use crate::contact::delassus::delassus;
 use crate::contact::{Inertia, Jacobian};
 use crate::memory::spare::{self, Lent};
 use crate::operator::{Operator, SparseDynamics, of_mechanism};
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use std::sync::Arc;
@@ -160,7 +161,12 @@ fn friction(given: Option<Vec<f64>>, law: Law, size: usize, rows: usize) -> Resu
         if size == rows * contacts {
             return Ok(friction);
         }
-        let needed = format!("give size {}, for {contacts} contacts with {rows} rows each", rows * contacts);
+        let needed = format!(
+            "give size {}, for {contacts} with {rows} each",
+            rows * contacts,
+            contacts = counted(contacts, "contact"),
+            rows = counted(rows, "row")
+        );
         let cure = format!("{needed}, or as many `friction` as contacts, or correct their rows (`rows_per_contact`, in files `dimension`)");
         return Err(Error::invalid("free_velocity", format!("has size {size}"), cure));
     }
@@ -175,7 +181,7 @@ fn friction(given: Option<Vec<f64>>, law: Law, size: usize, rows: usize) -> Resu
         return Ok(vec![0.0; contacts]);
     }
     let problem = format!("is missing, but the law `{}` needs it", law.name());
-    Err(Error::invalid("friction", problem, format!("give {contacts} numbers μ ≥ 0, with 0 for a contact without friction")))
+    Err(Error::invalid("friction", problem, format!("give {} μ ≥ 0, with 0 for a contact without friction", counted(contacts, "number"))))
 }
 
 /// v_free, if it has one entry per column of H.

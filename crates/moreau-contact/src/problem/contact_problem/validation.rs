@@ -6,7 +6,7 @@ use crate::memory;
 use crate::operator::Operator;
 use crate::problem::keys::{self, two_bodies};
 use crate::tolerance::problem::POLYHEDRAL_UNKNOWNS;
-use moreau_exact::number::are_finite;
+use moreau_exact::number::{are_finite, counted};
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
 
@@ -31,8 +31,12 @@ impl ContactProblem {
         ];
         sizes.into_iter().try_for_each(|(field, size)| self.require_size(field, size))?;
         if let Some(rows) = self.delassus.rows_per_contact().filter(|rows| *rows != self.rows_per_contact) {
-            let problem = format!("has blocks of {rows} rows");
-            return Err(Error::invalid("delassus", problem, format!("use blocks of the contacts, of {} rows", self.rows_per_contact)));
+            let problem = format!("has blocks of {}", counted(rows, "row"));
+            return Err(Error::invalid(
+                "delassus",
+                problem,
+                format!("use blocks of the contacts, of {}", counted(self.rows_per_contact, "row")),
+            ));
         }
         finite("free_velocity", self.free_velocity.as_slice())?;
         finite("shift", self.shift.as_slice())?;
@@ -57,7 +61,8 @@ impl ContactProblem {
         if size == rows {
             return Ok(());
         }
-        let cure = format!("give size {rows}, for {} contacts with {} rows each", self.contacts(), self.rows_per_contact);
+        let cure =
+            format!("give size {rows}, for {} with {} each", counted(self.contacts(), "contact"), counted(self.rows_per_contact, "row"));
         Err(Error::invalid(field, format!("has size {size}"), cure))
     }
 
@@ -71,11 +76,15 @@ impl ContactProblem {
         }
         let unknowns = self.law.directions().map_or(0, |d| d.saturating_add(2).saturating_mul(self.contacts()));
         // matrix, scaled matrix, and a tableau twice as wide with its copy
-        let name = format_args!("a polyhedral problem of {unknowns} unknowns");
+        let name = format_args!("a polyhedral problem of {}", counted(unknowns, "unknown"));
         memory::require(name, memory::matrix(unknowns, unknowns).saturating_mul(6))?;
         match (self.law.directions(), self.rows_per_contact) {
             (Some(d), 3) if unknowns > POLYHEDRAL_UNKNOWNS => {
-                let problem = format!("is {d}, which makes {unknowns} unknowns with {} contacts", self.contacts());
+                let problem = format!(
+                    "is {d}, which makes {unknowns} with {}",
+                    counted(self.contacts(), "contact"),
+                    unknowns = counted(unknowns, "unknown")
+                );
                 Err(Error::invalid("directions", problem, format!("use at most {POLYHEDRAL_UNKNOWNS} unknowns (2 + d) n")))
             }
             (Some(2), 2) | (None, _) => Ok(()),
@@ -103,7 +112,7 @@ impl ContactProblem {
             return Err(Error::invalid(
                 "compliance.diagonal",
                 format!("has size {}", compliance.diagonal.len()),
-                format!("give size {needed}, one for each {of} of the {} contacts", self.contacts()),
+                format!("give size {needed}, one for each {of} of the {}", counted(self.contacts(), "contact")),
             ));
         }
         not_negative("compliance.diagonal", compliance.diagonal.as_slice())
@@ -112,7 +121,7 @@ impl ContactProblem {
     fn validate_bodies(&self) -> Result<()> {
         let Some(bodies) = &self.bodies else { return Ok(()) };
         if bodies.len() != self.contacts() {
-            let cure = format!("give one pair for each of the {} contacts", self.contacts());
+            let cure = format!("give one pair for each of the {}", counted(self.contacts(), "contact"));
             return Err(Error::invalid("bodies", format!("has size {}", bodies.len()), cure));
         }
         bodies.iter().enumerate().try_for_each(|(k, pair)| two_bodies("bodies", k, *pair))
@@ -121,7 +130,7 @@ impl ContactProblem {
     fn validate_keys(&self) -> Result<()> {
         let Some(keys) = &self.keys else { return Ok(()) };
         if keys.len() != self.contacts() {
-            let cure = format!("give one for each of the {} contacts", self.contacts());
+            let cure = format!("give one for each of the {}", counted(self.contacts(), "contact"));
             return Err(Error::invalid("keys", format!("has size {}", keys.len()), cure));
         }
         keys::validate(keys)?;

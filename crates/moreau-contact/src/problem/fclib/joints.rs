@@ -13,6 +13,7 @@ use crate::problem::contact_problem::Known;
 use crate::problem::jointed::require_room;
 use crate::problem::{ConstraintKind, JointedProblem, Law};
 use hdf5_pure::File;
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -62,7 +63,7 @@ fn global(file: &File, name: &str) -> Result<JointedProblem> {
     for (what, found, wanted) in sizes {
         if found != wanted {
             let field = format!("{group}/vectors/{what}");
-            return Err(Error::invalid(field, format!("has {found} numbers"), format!("give {wanted}, as M, H and G have")));
+            return Err(Error::invalid(field, format!("has {}", counted(found, "number")), format!("give {wanted}, as M, H and G have")));
         }
     }
     let (first, rows) = (contacts.shape[1], contacts.shape[1] + joints.shape[1]);

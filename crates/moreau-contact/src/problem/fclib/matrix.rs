@@ -3,6 +3,7 @@
 use super::datasets::{integers, numbers};
 use crate::operator::Sparse;
 use hdf5_pure::File;
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 
 /// Compressed columns: p[j] .. p[j + 1] are the entries of column j, i their rows.
@@ -14,7 +15,7 @@ const ROWS: i32 = -2;
 pub(super) fn read(file: &File, group: &str) -> Result<Sparse> {
     let one = |name: &str| match integers(file, &format!("{group}/{name}"))?[..] {
         [value] => Ok(value),
-        ref other => Err(Error::invalid(format!("{group}/{name}"), format!("has {} numbers", other.len()), "give one")),
+        ref other => Err(Error::invalid(format!("{group}/{name}"), format!("has {}", counted(other.len(), "number")), "give one")),
     };
     let [rows, columns, nz] = [one("m")?, one("n")?, one("nz")?];
     let all = |name: &str| integers(file, &format!("{group}/{name}"));
@@ -30,7 +31,7 @@ pub(super) fn read(file: &File, group: &str) -> Result<Sparse> {
         }
     };
     if places.len() > values.len() || (nz >= 0 && places.len() != nz as usize) {
-        let problem = format!("has {} places and {} values", places.len(), values.len());
+        let problem = format!("has {} and {}", counted(places.len(), "place"), counted(values.len(), "value"));
         return Err(Error::invalid(group, problem, "give a value for each place"));
     }
     let entry = |((row, column), value): ((i32, i32), f64)| match (usize::try_from(row), usize::try_from(column)) {

@@ -14,6 +14,7 @@ use crate::memory;
 use crate::operator::{BlockSparse, SparseDynamics};
 use datasets::{dimension, numbers};
 use hdf5_pure::File;
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 use std::io::Read;
@@ -97,7 +98,7 @@ fn global(file: &File, name: &str) -> Result<ContactProblem> {
     for (what, found, wanted) in [("f", force.len(), mass.shape[0]), ("w", added.len(), jacobian.shape[1])] {
         if found != wanted {
             let field = format!("fclib_global/vectors/{what}");
-            return Err(Error::invalid(field, format!("has {found} numbers"), format!("give {wanted}, as M and H have")));
+            return Err(Error::invalid(field, format!("has {}", counted(found, "number")), format!("give {wanted}, as M and H have")));
         }
     }
     let mechanism = SparseDynamics::new(&mass, &jacobian.transposed(), dimension)?;

@@ -2,7 +2,9 @@
 
 use super::matrix::MatrixFile;
 use super::sparse_rows::SparseRows;
+use crate::contact::delassus::{SYMMETRIC, asymmetric_entry};
 use crate::operator::{BlockRows, MatrixFree};
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
 
@@ -49,7 +51,7 @@ fn read_masses(blocks: Vec<Vec<f64>>, velocities: usize) -> Result<Vec<DMatrix<f
     for (body, block) in blocks.into_iter().enumerate() {
         let size = block.len().isqrt();
         if size * size != block.len() || size == 0 {
-            let problem = format!("has {} entries", block.len());
+            let problem = format!("has {}", counted(block.len(), "entry"));
             return Err(Error::invalid(
                 format!("mass.diagonal_blocks[{body}]"),
                 problem,
@@ -57,12 +59,17 @@ fn read_masses(blocks: Vec<Vec<f64>>, velocities: usize) -> Result<Vec<DMatrix<f
             ));
         }
         sum += size;
-        masses.push(DMatrix::from_row_slice(size, size, &block));
+        let mass = DMatrix::from_row_slice(size, size, &block);
+        if let Some((i, j)) = asymmetric_entry(&mass) {
+            let problem = format!("is not symmetric: ({i}, {j}) is {} and ({j}, {i}) is {}", mass[(i, j)], mass[(j, i)]);
+            return Err(Error::invalid(format!("mass.diagonal_blocks[{body}]"), problem, SYMMETRIC));
+        }
+        masses.push(mass);
     }
     if sum == velocities {
         return Ok(masses);
     }
-    let problem = format!("have {sum} rows together");
+    let problem = format!("have {} together", counted(sum, "row"));
     Err(Error::invalid("mass.diagonal_blocks", problem, format!("give {velocities}, as `shape` says")))
 }
 

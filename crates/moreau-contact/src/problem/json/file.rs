@@ -8,6 +8,7 @@ use crate::operator::{Operator, SparseDynamics};
 use crate::problem::contact_problem::Known;
 use crate::problem::{Compliance, ConstraintKind, ContactKey, Coordinates, Dynamics, Law};
 use crate::tolerance::problem::DENSE_ROWS;
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use schemars::JsonSchema;
@@ -150,17 +151,33 @@ impl ProblemFile {
         // what is missing is told where it is read
         let Some((field, height)) = matrix.filter(|_| rows != dimension * contacts) else { return Ok(()) };
         if height != rows {
-            let wanted = format!("give size {}, for {contacts} contacts with {dimension} rows each", dimension * contacts);
-            let others = format!("`friction` has {contacts} entries, `dimension` is {dimension} and `{field}` has {height} rows");
+            let wanted = format!(
+                "give size {}, for {contacts} with {dimension} each",
+                dimension * contacts,
+                contacts = counted(contacts, "contact"),
+                dimension = counted(dimension, "row")
+            );
+            let others = format!(
+                "`friction` has {contacts}, `dimension` is {dimension} and `{field}` has {height}",
+                contacts = counted(contacts, "entry"),
+                height = counted(height, "row")
+            );
             let either = if height == dimension * contacts { "" } else { ", and these do not fit each other either" };
             return Err(Error::invalid("free_velocity", format!("has size {rows}"), format!("{wanted}: {others}{either}")));
         }
         if rows.is_multiple_of(dimension) {
-            let others = format!("`free_velocity` and `{field}` have {rows} rows, {dimension} per contact as `dimension` says");
+            let others = format!(
+                "`free_velocity` and `{field}` have {rows}, {dimension} per contact as `dimension` says",
+                rows = counted(rows, "row")
+            );
             let cure = format!("give {}, one per contact: {others}", rows / dimension);
             return Err(Error::invalid("friction", format!("has size {contacts}"), cure));
         }
-        let problem = format!("is {dimension}, with `free_velocity` of {rows} rows and `friction` of {contacts} contacts");
+        let problem = format!(
+            "is {dimension}, with `free_velocity` of {rows} and `friction` of {contacts}",
+            rows = counted(rows, "row"),
+            contacts = counted(contacts, "contact")
+        );
         Err(Error::invalid("dimension", problem, "give as many rows as the dimension for each contact"))
     }
 }
@@ -216,7 +233,13 @@ pub(super) fn read_operator(
     let shape = |field: &str, matrix: &MatrixFile, wanted: [usize; 2]| {
         let problem = format!("has shape {}×{}", matrix.shape[0], matrix.shape[1]);
         let contacts = rows / rows_per_contact;
-        let cure = format!("use the shape {}×{}, for {contacts} contacts with {rows_per_contact} rows each", wanted[0], wanted[1]);
+        let cure = format!(
+            "use the shape {}×{}, for {contacts} with {rows_per_contact} each",
+            wanted[0],
+            wanted[1],
+            contacts = counted(contacts, "contact"),
+            rows_per_contact = counted(rows_per_contact, "row")
+        );
         if matrix.shape == wanted { Ok(()) } else { Err(Error::invalid(field, problem, cure)) }
     };
     let room = |velocities: usize| {

@@ -12,6 +12,7 @@ use crate::problem::contact_problem::Known;
 use crate::problem::jointed::{require_room, starts};
 use crate::problem::{ConstraintKind, Coordinates, Dynamics, JointedProblem};
 use crate::tolerance::problem::WRITTEN_OUT;
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 use serde_json::json;
@@ -31,7 +32,7 @@ pub(super) fn read(file: ProblemFile, kinds: Vec<ConstraintKind>) -> Result<Join
     for (field, found) in [("delassus", &file.delassus), ("jacobian", &file.jacobian)] {
         if let Some(found) = found.as_ref().map(|matrix| matrix.shape[0]).filter(|found| *found != rows) {
             let cure = format!("give {rows}, as the {} `kinds` have", kinds.len());
-            return Err(Error::invalid(field, format!("has {found} rows"), cure));
+            return Err(Error::invalid(field, format!("has {}", counted(found, "row")), cure));
         }
     }
     let law = read_law(&file.law, file.directions)?;

@@ -4,6 +4,7 @@
 use super::sparse_rows::SparseRows;
 use crate::operator::{BlockSparse, Operator, Sparse};
 use crate::tolerance::problem::DENSE_ENTRIES;
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
 use schemars::JsonSchema;
@@ -29,7 +30,7 @@ pub(super) struct MatrixFile {
     /// Block by block, of W only, each place at most once.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) blocks: Option<BlocksFile>,
-    /// Of the mass only: the blocks M_b \[kg\] of all bodies, one after the other along the diagonal, each row by row.
+    /// Of the mass only: the blocks M_b \[kg\] of all bodies, each symmetric, one after the other along the diagonal, row by row.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) diagonal_blocks: Option<Vec<Vec<f64>>>,
     /// Of the Jacobian only, with a mass of diagonal blocks.
@@ -184,13 +185,17 @@ impl MatrixFile {
                 if rows.len() != nrows {
                     return Err(Error::invalid(
                         format!("{field}.rows"),
-                        format!("has {} rows", rows.len()),
-                        format!("give {nrows} rows, as `shape` says"),
+                        format!("has {}", counted(rows.len(), "row")),
+                        format!("give {}, as `shape` says", counted(nrows, "row")),
                     ));
                 }
                 if let Some(k) = rows.iter().position(|row| row.len() != ncols) {
-                    let problem = format!("has {} entries", rows[k].len());
-                    return Err(Error::invalid(format!("{field}.rows[{k}]"), problem, format!("give {ncols} entries, as `shape` says")));
+                    let problem = format!("has {}", counted(rows[k].len(), "entry"));
+                    return Err(Error::invalid(
+                        format!("{field}.rows[{k}]"),
+                        problem,
+                        format!("give {}, as `shape` says", counted(ncols, "entry")),
+                    ));
                 }
                 Ok(DMatrix::from_row_iterator(nrows, ncols, rows.into_iter().flatten()))
             }
@@ -209,8 +214,13 @@ impl BlocksFile {
     fn read(self, field: &str, d: usize, contacts: usize) -> Result<BlockSparse> {
         let count = self.row.len();
         if self.column.len() != count || self.value.len() != count * d * d {
-            let problem = format!("has {count} rows, {} columns and {} values", self.column.len(), self.value.len());
-            let cure = format!("give a row, a column and {} values for each block", d * d);
+            let problem = format!(
+                "has {count}, {} and {}",
+                counted(self.column.len(), "column"),
+                counted(self.value.len(), "value"),
+                count = counted(count, "row")
+            );
+            let cure = format!("give a row, a column and {} for each block", counted(d * d, "value"));
             return Err(Error::invalid(format!("{field}.blocks"), problem, cure));
         }
         let places = self.row.into_iter().zip(self.column).zip(self.value.chunks_exact(d * d));
@@ -234,7 +244,12 @@ impl Triplets {
     fn entries(self, field: &str, [nrows, ncols]: [usize; 2]) -> Result<Vec<(usize, usize, f64)>> {
         let count = self.value.len();
         if self.row.len() != count || self.column.len() != count {
-            let problem = format!("has {} rows, {} columns and {count} values", self.row.len(), self.column.len());
+            let problem = format!(
+                "has {}, {} and {count}",
+                counted(self.row.len(), "row"),
+                counted(self.column.len(), "column"),
+                count = counted(count, "value")
+            );
             return Err(Error::invalid(format!("{field}.triplets"), problem, "give three lists of one length"));
         }
         let mut seen = std::collections::HashSet::with_capacity(count);

@@ -49,6 +49,9 @@ pub struct SolutionFile {
     /// Iterations or pivots used; absent where there were none, or nobody knows.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     iterations: Option<usize>,
+    /// False where a time limit ended the solver: another run need not find this answer again. Absent where nobody says so.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    reproducible: Option<bool>,
     /// Residuals, for people; not trusted.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     residuals: Option<serde_json::Value>,
@@ -135,6 +138,7 @@ impl Solution {
             keys: self.keys.as_deref().map(write_keys),
             solver: self.solver.clone(),
             iterations: Some(self.iterations).filter(|iterations| *iterations > 0),
+            reproducible: self.reproducible,
             residuals,
         })
     }
@@ -183,6 +187,7 @@ impl SolutionFile {
             keys: self.keys.map(read_keys),
             solver: self.solver,
             iterations: self.iterations.unwrap_or_default(),
+            reproducible: self.reproducible,
         })
     }
 }

@@ -1,5 +1,6 @@
 //! H in a file, row by row, of every row only the entries that are not zero.
 
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -27,8 +28,13 @@ impl SparseRows {
             |field: &str, problem: String, cure: String| Err(Error::invalid(format!("jacobian.sparse_rows{field}"), problem, cure));
         let count = self.value.len();
         if self.column.len() != count || self.starts.len() != rows + 1 {
-            let problem = format!("has {} starts, {} columns and {count} values", self.starts.len(), self.column.len());
-            return invalid("", problem, format!("give {} starts, and a column for each value", rows + 1));
+            let problem = format!(
+                "has {}, {} and {count}",
+                counted(self.starts.len(), "start"),
+                counted(self.column.len(), "column"),
+                count = counted(count, "value")
+            );
+            return invalid("", problem, format!("give {}, and a column for each value", counted(rows + 1, "start")));
         }
         if self.starts[0] != 0 || self.starts[rows] != count || self.starts.windows(2).any(|pair| pair[0] > pair[1]) {
             return invalid(

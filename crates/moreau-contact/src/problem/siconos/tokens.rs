@@ -1,5 +1,6 @@
 //! The numbers of a text, one after another, with the line each stands in.
 
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 
 /// Words of a text, in order.
@@ -52,7 +53,11 @@ impl<'a> Tokens<'a> {
     /// So many numbers.
     pub(super) fn vector(&mut self, what: &str, count: usize) -> Result<Vec<f64>> {
         if count > self.rest.len() {
-            return Err(self.error(what, format!("has {count} numbers by the sizes before it"), "correct the size: the file is shorter"));
+            return Err(self.error(
+                what,
+                format!("has {} by the sizes before it", counted(count, "number")),
+                "correct the size: the file is shorter",
+            ));
         }
         (0..count).map(|_| self.number(what)).collect()
     }
@@ -60,7 +65,11 @@ impl<'a> Tokens<'a> {
     /// So many whole numbers.
     pub(super) fn indices(&mut self, what: &str, count: usize) -> Result<Vec<usize>> {
         if count > self.rest.len() {
-            return Err(self.error(what, format!("has {count} numbers by the sizes before it"), "correct the size: the file is shorter"));
+            return Err(self.error(
+                what,
+                format!("has {} by the sizes before it", counted(count, "number")),
+                "correct the size: the file is shorter",
+            ));
         }
         (0..count).map(|_| self.whole(what)).collect()
     }

@@ -20,6 +20,7 @@ use super::neighbours::Neighbours;
 use super::{BodyState, Materials, Mechanism, PairMaterial, Plane, State};
 use features::{ground_touches, pair_touches};
 use moreau_contact::contact::{Contact, Mass, Place, Rows};
+use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use shape::Pose;
@@ -46,7 +47,7 @@ impl PlanarBodies {
     /// [`Error::Invalid`] if there is no body, gravity is not finite or the ground is not a line in the plane.
     pub fn new(name: impl Into<String>, bodies: Vec<PlanarBody>, gravity: [f64; 2], ground: Plane) -> Result<Self> {
         if ground.normal.len() != 2 {
-            return Err(Error::invalid("normal", format!("has {} components", ground.normal.len()), "use (x, z)"));
+            return Err(Error::invalid("normal", format!("has {}", counted(ground.normal.len(), "component")), "use (x, z)"));
         }
         let (friction, restitution) = (ground.friction, ground.restitution);
         let floating = PlanarBodies::without_ground(name, bodies, gravity, friction, restitution)?;

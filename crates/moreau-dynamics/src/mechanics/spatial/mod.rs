@@ -44,7 +44,7 @@ use features::{ground_touches, pair_touches};
 use moreau_contact::contact::frame::spatial_tangents;
 use moreau_contact::contact::{Contact, Mass, Place, Rows};
 use moreau_contact::memory::spare::{self, Lent, Spare};
-use moreau_exact::number::significant;
+use moreau_exact::number::{counted, significant};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector, Matrix3, UnitQuaternion, Vector3};
 
@@ -84,7 +84,7 @@ impl SpatialBodies {
     /// [`Error::Invalid`] if there is no body, gravity is not finite or the ground is not a plane in space.
     pub fn new(name: impl Into<String>, bodies: Vec<SpatialBody>, gravity: [f64; 3], ground: Plane) -> Result<Self> {
         if ground.normal.len() != 3 {
-            return Err(Error::invalid("normal", format!("has {} components", ground.normal.len()), "use (x, y, z)"));
+            return Err(Error::invalid("normal", format!("has {}", counted(ground.normal.len(), "component")), "use (x, y, z)"));
         }
         let materials = Materials::new(ground.friction, ground.restitution)?;
         let floating = SpatialBodies::without_ground(name, bodies, gravity, materials)?;
