@@ -2,11 +2,19 @@
 
 use super::block_sweep::{Surroundings, Sweep, share};
 use super::one_contact::OneContact;
-use super::swept::Shareable;
 use super::threads;
 use crate::operator::slot::{Slot, slots};
 use crate::tolerance::sweeps::THREADED;
 use std::sync::atomic::AtomicU64;
+
+/// What one contact sees and moves where threads may share the state.
+pub(super) trait Shareable<const D: usize>: Sync {
+    /// y of one contact.
+    fn at(&self, contact: usize, impulse: &[f64; D], state: &[impl Slot]) -> [f64; D];
+
+    /// Brings the state up to the change of one contact's impulse.
+    fn push(&self, contact: usize, change: &[f64; D], state: &[impl Slot]);
+}
 
 /// So many threads, and the state while they have it; where one has it, nothing.
 pub(super) struct Crew {

@@ -11,7 +11,7 @@
 
 use super::block_sweep::{Surroundings, Sweep};
 use super::colours::{Blocks, coloured};
-use super::crew::Crew;
+use super::crew::{Crew, Shareable};
 use super::one_contact::OneContact;
 use crate::operator::BlockSparse;
 use crate::operator::slot::{Slot, add, load};
@@ -34,15 +34,6 @@ pub(super) trait Swept<const D: usize> {
 
     /// Solves every contact once, and brings the state up to the changes.
     fn sweep<L: OneContact>(&self, crew: &Crew, sweep: Sweep<L, D>, state: &mut [f64]);
-}
-
-/// What one contact sees and moves where threads may share the state.
-pub(super) trait Shareable<const D: usize>: Sync {
-    /// y of one contact.
-    fn at(&self, contact: usize, impulse: &[f64; D], state: &[impl Slot]) -> [f64; D];
-
-    /// Brings the state up to the change of one contact's impulse.
-    fn push(&self, contact: usize, change: &[f64; D], state: &[impl Slot]);
 }
 
 /// A W that is stored and swept by one thread, as its contacts are listed: a square matrix, where every contact moves every other, or

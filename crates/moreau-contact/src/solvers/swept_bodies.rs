@@ -2,9 +2,9 @@
 
 use super::block_sweep::Sweep;
 use super::colours::{Blocks, coloured};
-use super::crew::Crew;
+use super::crew::{Crew, Shareable};
 use super::one_contact::OneContact;
-use super::swept::{Shareable, Swept};
+use super::swept::Swept;
 use crate::operator::slot::{Slot, load, slots};
 use crate::operator::{BlockRows, MatrixFree, passes};
 use crate::problem::ContactProblem;

@@ -48,11 +48,8 @@ impl Mujoco {
     /// M + hC, with implicitfast M + hC − hG, by what couples its velocities.
     pub(super) fn effective_mass(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Mass {
         let mass = mechanism.mass(&state.position);
-        let slopes = if self.integrator == Integrator::ImplicitFast {
-            mechanism.gyroscopic_slope(&state.position, &state.velocity)
-        } else {
-            None
-        };
+        let slopes =
+            if self.integrator == Integrator::ImplicitFast { mechanism.gyroscopic_slope(&state.position, &state.velocity) } else { None };
         let effective = match slopes {
             Some(slopes) => less(&mass, slopes, h),
             None => mass,
