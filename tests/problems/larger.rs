@@ -27,10 +27,8 @@ fn every_solver_answers_a_pile_certified_or_says_honestly_that_it_does_not() {
         let mut known: Option<DVector<f64>> = None;
         for name in ALL.names() {
             let solver = ALL.with_iterations(name, Some(ITERATIONS)).or_else(|_| ALL.by_name(name)).expect("listed");
-            let begun = std::time::Instant::now();
             let answer = solver.solve(&problem, None);
             let is_accepted = accepted(&problem, &answer);
-            eprintln!("{:8.1} ms {} {name} {is_accepted}", begun.elapsed().as_secs_f64() * 1e3, problem.name());
             let takes = solver.takes(problem.law(), problem.rows_per_contact(), true);
             assert!(takes || !is_accepted, "{name} on {}: it says that it does not take it", problem.name());
             asked += usize::from(takes);

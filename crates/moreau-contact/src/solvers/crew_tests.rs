@@ -128,19 +128,20 @@ fn bodies_of_six_velocities_are_swept_as_bodies_of_any() {
 }
 
 #[test]
-fn blocks_of_few_contacts_are_swept_as_they_are_listed_and_those_of_many_by_colours() {
-    let problem = |contacts: usize| {
-        let one = DMatrix::identity(1, 1);
-        let w = BlockSparse::new(1, contacts, (0..contacts).map(|k| (k, k, one.clone())).collect()).unwrap();
-        ContactProblem::new(w, DVector::from_element(contacts, -1.0)).rows_per_contact(1).build().unwrap()
+fn blocks_of_few_contacts_or_in_space_are_swept_as_they_are_listed_and_those_of_many_in_the_plane_by_colours() {
+    let problem = |rows: usize, contacts: usize| {
+        let one = DMatrix::identity(rows, rows);
+        let w = BlockSparse::new(rows, contacts, (0..contacts).map(|k| (k, k, one.clone())).collect()).unwrap();
+        ContactProblem::new(w, DVector::from_element(rows * contacts, -1.0)).rows_per_contact(rows).build().unwrap()
     };
-    assert!(Joined::new(&problem(THREADED - 1)).is_none());
-    let many = problem(THREADED);
+    assert!(Joined::new(&problem(1, THREADED - 1)).is_none() && Joined::new(&problem(3, THREADED)).is_none());
+    assert!(Joined::new(&problem(2, THREADED)).is_some());
+    let many = problem(1, THREADED);
     let joined = Joined::new(&many).unwrap();
     // no contact moves another: all blocks have one colour
     assert_eq!(Swept::<1>::blocks(&joined).colours.len(), 1);
     assert!(Swept::<1>::blocks(&joined).widest() > 16);
-    let dense = problem(2).dense().clone();
+    let dense = problem(1, 2).dense().clone();
     assert!(Joined::of(&ContactProblem::new(dense, DVector::zeros(2)).rows_per_contact(1).build().unwrap()).is_none());
 }
 

@@ -6,7 +6,7 @@
 //! sweeps descend on ½rᵀ(W+R)r + (u_free+shift)ᵀr and converge; for Coulomb's law they usually do, and the certificate tells.
 //!
 //! Where W acts through bodies, their velocities are kept in place of y (`swept`). There, and where W is stored by the blocks of many
-//! contacts, contacts are swept block by block in the order of the blocks' colours (`colours`), by several threads if there are many.
+//! contacts in the plane, contacts are swept block by block in the order of the blocks' colours (`colours`), by several threads if many.
 //!
 //! The certificate's residual is measured seldom. In between the change of a sweep, (Σ A_nn‖Δr‖²)^½, tells how it falls: it is measured
 //! again where that predicts the tolerance, and after as many sweeps as before, up to a limit. Every measurement computes y afresh, because

@@ -7,7 +7,7 @@
 //! Since both are affine, the state at a combination of impulses with weights that sum to one is the same combination of the states.
 //!
 //! Threads share a sweep where contacts touch few others: by bodies ([`Bodies`](super::swept_bodies::Bodies),
-//! [`Free`](super::swept_bodies::Free)) and by blocks ([`Joined`]). Where W is a square matrix every contact moves every other.
+//! [`Free`](super::swept_bodies::Free)) and by blocks of the plane ([`Joined`]). Where W is a square matrix every contact moves every other.
 
 use super::block_sweep::{Surroundings, Sweep};
 use super::colours::{Blocks, coloured};
@@ -37,7 +37,7 @@ pub(super) trait Swept<const D: usize> {
 }
 
 /// A W that is stored and swept by one thread, as its contacts are listed: a square matrix, where every contact moves every other, or
-/// blocks of fewer contacts than threads pay for. The state is y.
+/// blocks of fewer or larger contacts than threads pay for. The state is y.
 pub(super) struct Stored<'a>(pub(super) &'a ContactProblem);
 
 impl<const D: usize> Swept<D> for Stored<'_> {
@@ -80,6 +80,9 @@ impl<const D: usize> Surroundings<D> for Alone<'_> {
     }
 }
 
+/// Rows of a contact in space.
+const SPATIAL: usize = 3;
+
 /// A W of many contacts that is stored by blocks: the state is y, of which a contact moves those that W joins with it.
 pub(super) struct Joined<'a> {
     problem: &'a ContactProblem,
@@ -87,9 +90,10 @@ pub(super) struct Joined<'a> {
 }
 
 impl<'a> Joined<'a> {
-    /// W, if it is stored by the blocks of so many contacts that threads pay.
+    /// W, if it is stored by the blocks of so many contacts that threads pay: not in space, where one thread already takes what the memory
+    /// gives.
     pub(super) fn new(problem: &'a ContactProblem) -> Option<Self> {
-        Joined::of(problem).filter(|_| problem.contacts() >= THREADED)
+        Joined::of(problem).filter(|_| problem.contacts() >= THREADED && problem.rows_per_contact() < SPATIAL)
     }
 
     /// [`Joined::new`], however few contacts there are.

@@ -24,7 +24,7 @@ pub const PREDICTED: f64 = 2.0;
 pub const BLOCK: usize = 1024;
 
 /// Contacts from which on a sweep is shared out among threads: it takes some milliseconds there, and to begin and end threads some tens of
-/// microseconds. Fewer contacts of a W that is stored by blocks are swept in the order in which they are listed.
+/// microseconds. Fewer contacts of a W that is stored by blocks, and those in space, are swept as they are listed.
 /// Set.
 pub const THREADED: usize = 32_768;
 
