@@ -36,7 +36,7 @@ pub struct CommonOptions {
     #[command(flatten)]
     memory: MemoryOption,
     /// Threads of one solver, which gives the same answer bit for bit with any number. Sweeps over very many contacts (`pgs`, problems by
-    /// bodies) use them; smaller ones are faster with one [default: as many as the machine has].
+    /// bodies, in the plane by blocks) use them; smaller ones are faster with one [default: as many as the machine has].
     #[arg(long, value_parser = number::count, value_name = "N", allow_negative_numbers = true)]
     threads: Option<usize>,
     /// How to write the result.

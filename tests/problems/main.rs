@@ -3,7 +3,9 @@
 
 mod collection;
 mod extremes;
+mod larger;
 mod metamorphic;
+mod piles;
 mod solvers;
 mod transform;
 

@@ -15,7 +15,7 @@ const CONTACTS: usize = 6;
 const SAME: f64 = 1e-6;
 
 /// u of an accepted answer; none where there is none.
-fn velocity(problem: &ContactProblem) -> Option<DVector<f64>> {
+pub fn velocity(problem: &ContactProblem) -> Option<DVector<f64>> {
     let answer = Auto.solve(problem, None).ok()?;
     residuals(problem, &answer).expect("an answer that fits").is_solution(CERTIFY).then_some(answer.velocity)
 }

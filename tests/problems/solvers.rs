@@ -12,7 +12,8 @@ const ASKED: usize = 8;
 /// Iterations of a solver that has a limit: honest statuses need no patience.
 const ITERATIONS: usize = 300;
 
-fn accepted(problem: &ContactProblem, answer: &moreau::Result<Solution>) -> bool {
+/// Whether an answer is certified; that there is none must be the solver's own word.
+pub fn accepted(problem: &ContactProblem, answer: &moreau::Result<Solution>) -> bool {
     match answer {
         Ok(answer) => residuals(problem, answer).is_ok_and(|judged| judged.is_solution(CERTIFY)),
         Err(Error::Solver { reason, .. }) => {

@@ -1,4 +1,5 @@
-//! What a sweep of projected Gauss–Seidel costs: nanoseconds per contact and sweep on piles of spheres, W by bodies.
+//! What a sweep of projected Gauss–Seidel costs: nanoseconds per contact and sweep on piles of spheres, W by bodies; on large ones with
+//! threads, and there on disks in the plane as well, W by bodies and by blocks.
 //!
 //! `cargo bench -p moreau-contact --bench sweeps`; with `MOREAU_SWEEPS_CONTACTS=1000000` also on a pile of about that many contacts, with
 //! the certificate of a hundred sweeps. The local step is the exact answer of one contact (closed form where it opens or sticks, Newton's
@@ -13,6 +14,9 @@ use moreau_contact::operator::{BlockRows, MatrixFree};
 use moreau_contact::solvers::{ContactSolver, ProjectedGaussSeidel, threads};
 use std::num::NonZeroUsize;
 use std::time::Instant;
+
+/// How often a large pile is swept by each number of threads.
+const TURNS: usize = 5;
 
 /// Numbers in \[0, 1\[, the same in every run.
 struct Numbers(u64);
@@ -95,6 +99,43 @@ fn pile(k: usize) -> ContactProblem {
     ContactProblem::new(operator, free).friction(vec![0.5; contacts]).build().expect("a valid problem")
 }
 
+/// Disks of 1 m on a triangular lattice in the plane, `wide` in a layer and `high` layers, the lowest on the floor, all neighbours in
+/// contact; all fall, each at its own velocity.
+fn planar_pile(wide: usize, high: usize) -> ContactProblem {
+    let (mut random, disks) = (Numbers(2), wide * high);
+    let mut jacobian = BlockRows::new(2, vec![3; disks]).expect("two rows");
+    // e·(v + ω × arm) along the normal and the tangent, the arm along the normal
+    let rows = |n: [f64; 2], arm: f64, sign: f64| [n[0], n[1], 0.0, n[1], -n[0], arm].map(|entry| sign * entry);
+    for own in 0..disks {
+        let (layer, place) = (own / wide, own % wide);
+        if layer == 0 {
+            jacobian.push(&[(own, &rows([0.0, 1.0], -0.5, 1.0))]).expect("a known body");
+        }
+        // to the right, and to the two above
+        let shift = layer % 2;
+        let above = [(place + shift).checked_sub(1), Some(place + shift)].map(|place| place.filter(|place| *place < wide));
+        let beside = (place + 1 < wide).then_some((own + 1, 0.0));
+        let higher = [2.0, 1.0].into_iter().zip(above).filter_map(|(third, place)| Some(((layer + 1) * wide + place?, third)));
+        for (other, third) in beside.into_iter().chain(higher).filter(|(other, _)| *other < disks) {
+            let (sin, cos) = (third * std::f64::consts::FRAC_PI_3 + random.around(0.02)).sin_cos();
+            let (first, second) = (rows([cos, sin], 0.5, -1.0), rows([cos, sin], -0.5, 1.0));
+            jacobian.push(&[(own, &first), (other, &second)]).expect("known bodies, growing");
+        }
+    }
+    let velocity: Vec<f64> = (0..3 * disks).map(|v| random.around(0.02) - if v % 3 == 1 { 0.0981 } else { 0.0 }).collect();
+    let free = DVector::from_vec(jacobian.contact_velocity(&velocity));
+    let contacts = jacobian.contacts();
+    let mass = DMatrix::from_diagonal(&DVector::from_column_slice(&[1.0, 1.0, 0.1]));
+    let operator = MatrixFree::new(&vec![mass; disks], jacobian).expect("masses are positive");
+    ContactProblem::new(operator, free).rows_per_contact(2).friction(vec![0.5; contacts]).build().expect("a valid problem")
+}
+
+/// The same problem with W by blocks.
+fn by_blocks(problem: &ContactProblem) -> ContactProblem {
+    let blocks = problem.delassus().matrix_free().expect("by bodies").delassus().expect("it fits into memory");
+    problem.clone().into_builder().delassus(blocks).build().expect("a valid problem")
+}
+
 /// Seconds of the processor that this thread has had; of the clock where the system does not tell.
 fn processor_seconds(begun: Instant) -> f64 {
     let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
@@ -114,29 +155,31 @@ fn seconds(problem: &ContactProblem, sweeps: usize, begun: Instant) -> f64 {
     processor_seconds(begun) - before
 }
 
-/// Nanoseconds of the clock per contact and sweep, the lesser of two, by one thread and by all; they must give the same bits.
+/// Nanoseconds of the clock per contact and sweep by one thread and by all, in turn, the least of each; they must give the same bits.
 fn by_threads(problem: &ContactProblem, sweeps: usize) {
     let all = threads::limit();
-    let mut alone = DVector::zeros(0);
-    for count in [NonZeroUsize::MIN, all] {
+    let counts = [NonZeroUsize::MIN, all];
+    let clock = |sweeps: usize| {
+        let begun = Instant::now();
+        swept(problem, sweeps);
+        begun.elapsed().as_secs_f64()
+    };
+    let found = counts.map(|count| {
         threads::set_limit(count);
-        let clock = |sweeps: usize| {
-            let begun = Instant::now();
-            swept(problem, sweeps);
-            begun.elapsed().as_secs_f64()
-        };
-        let least = (0..2).map(|_| clock(2 * sweeps) - clock(sweeps)).fold(f64::INFINITY, f64::min);
-        let found = swept(problem, 3);
-        assert!(
-            alone.is_empty() || found.iter().zip(&alone).all(|(one, other): (&f64, &f64)| one.to_bits() == other.to_bits()),
-            "{count} threads"
-        );
-        println!(
-            "{:8} contacts {:8.1} ns per contact and sweep of the clock, {count} of {all} threads",
-            problem.contacts(),
-            least * 1e9 / (sweeps * problem.contacts()) as f64
-        );
-        alone = found;
+        swept(problem, 3)
+    });
+    assert!(found[0].iter().zip(&found[1]).all(|(one, other)| one.to_bits() == other.to_bits()), "{all} threads");
+    // of so many sweeps, and of twice as many
+    let mut least = [[f64::INFINITY; 2]; 2];
+    for _ in 0..TURNS {
+        for (count, own) in counts.into_iter().zip(&mut least) {
+            threads::set_limit(count);
+            *own = [own[0].min(clock(sweeps)), own[1].min(clock(2 * sweeps))];
+        }
+    }
+    for (count, [once, twice]) in counts.into_iter().zip(least) {
+        let each = (twice - once) * 1e9 / (sweeps * problem.contacts()) as f64;
+        println!("{:8} contacts {each:8.1} ns per contact and sweep of the clock, {count} of {all} threads", problem.contacts());
     }
     threads::set_limit(all);
 }
@@ -154,7 +197,14 @@ fn main() {
         println!("{:8} contacts {:8.1} ns per contact and sweep", problem.contacts(), each * 1e9);
     }
     threads::set_limit(all);
-    by_threads(&pile(18), 20);
+    for (name, problem, sweeps) in [
+        ("spheres, W by bodies", pile(18), 20),
+        ("disks, W by bodies", planar_pile(150, 150), 40),
+        ("disks, W by blocks", by_blocks(&planar_pile(150, 150)), 20),
+    ] {
+        println!("{name}");
+        by_threads(&problem, sweeps);
+    }
     let Some(contacts) = std::env::var("MOREAU_SWEEPS_CONTACTS").ok().and_then(|text| text.parse::<f64>().ok()) else { return };
     let made = processor_seconds(begun);
     let problem = pile((contacts / 12.0).cbrt().round() as usize);

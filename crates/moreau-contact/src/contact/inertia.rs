@@ -52,6 +52,18 @@ impl Mass {
         }
     }
 
+    /// M_ii of every velocity.
+    pub fn diagonal(&self) -> DVector<f64> {
+        match self {
+            Mass::Diagonal(diagonal) => diagonal.clone(),
+            Mass::Blocks(blocks) => {
+                let of = |block: &DMatrix<f64>| (0..block.nrows()).map(|i| block[(i, i)]).collect::<Vec<_>>();
+                DVector::from_vec(blocks.iter().flat_map(of).collect())
+            }
+            Mass::Dense(dense) => dense.diagonal(),
+        }
+    }
+
     /// max |M_ij|.
     pub fn largest(&self) -> f64 {
         match self {

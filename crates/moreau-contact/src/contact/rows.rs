@@ -96,6 +96,34 @@ impl Rows {
         }
     }
 
+    /// The rows Σ_j a_ij H_j: one for each list of weights, for example of tangents in other directions.
+    ///
+    /// # Panics
+    /// If a list has not as many weights as there are rows.
+    /// ```
+    /// use moreau_contact::contact::Rows;
+    /// use moreau_contact::nalgebra::dmatrix;
+    ///
+    /// // the normal alone of a point in the plane, and its normal beside the other sense of the tangent
+    /// let rows = Rows::zeros(2, 4).with(2, [[0.0, 1.0], [1.0, 0.0]]);
+    /// assert_eq!(rows.combined(&[&[1.0, 0.0]]).to_dense(), dmatrix![0.0, 0.0, 0.0, 1.0]);
+    /// assert_eq!(rows.combined(&[&[1.0, 0.0], &[0.0, -1.0]]).row(1), dmatrix![0.0, 0.0, -1.0, 0.0]);
+    /// ```
+    #[must_use]
+    pub fn combined(&self, weights: &[&[f64]]) -> Self {
+        assert!(weights.iter().all(|weights| weights.len() == self.rows), "one weight for each row");
+        let entry = |part: &BodyRows, weights: &[f64], axis: usize| {
+            let own = part.entries[axis..].iter().step_by(part.width);
+            weights.iter().zip(own).map(|(weight, h)| weight * h).sum::<f64>()
+        };
+        let mut made = Rows::zeros(weights.len(), self.columns);
+        for (place, part) in made.parts.iter_mut().zip(self.parts()) {
+            let entries = weights.iter().flat_map(|weights| (0..part.width).map(|axis| entry(&part, weights, axis))).collect();
+            *place = Some(Part { first: part.first, width: part.width, entries: Entries::Many(entries) });
+        }
+        made
+    }
+
     /// How many rows.
     pub fn nrows(&self) -> usize {
         self.rows

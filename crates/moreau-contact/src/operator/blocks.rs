@@ -5,6 +5,7 @@
 //! ```
 //! Contacts of a pile meet some ten others, however large it is: memory and a sweep grow with the number of contacts, not with its square.
 
+use super::slot::{self, Slot};
 use super::{ContactOperator, Sparse};
 use crate::memory::spare::{self, Lent};
 use moreau_exact::number::counted;
@@ -241,6 +242,20 @@ impl BlockSparse {
             for (column, r) in block.chunks_exact(d).zip(impulse) {
                 u.iter_mut().zip(column).for_each(|(u, w)| *u += *w * r);
             }
+        }
+    }
+
+    /// Adds W e_k r_k, as [`ContactOperator::add_contact`] does, for contacts of D rows, whoever has the velocities.
+    #[inline(always)]
+    pub(crate) fn push_contact<const D: usize>(&self, contact: usize, impulse: &[f64; D], velocity: &[impl Slot]) {
+        let (first, last) = (self.starts[contact], self.starts[contact + 1]);
+        let blocks = self.entries.as_chunks::<D>().0[first * D..last * D].as_chunks::<D>().0;
+        for (j, block) in self.coupled[first..last].iter().zip(blocks) {
+            let mut added = [0.0; D];
+            for (column, r) in block.iter().zip(impulse) {
+                (0..D).for_each(|row| added[row] += column[row] * r);
+            }
+            slot::add(&velocity.as_chunks::<D>().0[*j], &added);
         }
     }
 

@@ -9,6 +9,7 @@
 //! one body.
 
 use super::mass_block::Factor;
+use super::slot::{Slot, slots};
 use super::{BlockRows, BlockSparse, ContactOperator, lost_digits};
 use crate::memory;
 use crate::tolerance::certificate::VELOCITIES;
@@ -174,33 +175,33 @@ impl MatrixFree {
     }
 
     /// Adds to the velocities w what the impulse of one contact moves.
-    pub(crate) fn push(&self, contact: usize, impulse: &[f64], velocity: &mut [f64]) {
+    pub(crate) fn push(&self, contact: usize, impulse: &[f64], velocity: &[impl Slot]) {
         self.push_with(contact, impulse, velocity, |number| number);
     }
 
     /// Adds to u what the velocities w make at one contact.
-    pub(crate) fn add_velocity(&self, contact: usize, velocity: &[f64], u: &mut [f64]) {
+    pub(crate) fn add_velocity(&self, contact: usize, velocity: &[impl Slot], u: &mut [f64]) {
         self.add_velocity_with(contact, velocity, u, |number| number);
     }
 
-    fn push_with(&self, contact: usize, impulse: &[f64], velocity: &mut [f64], of: impl Fn(f64) -> f64) {
+    fn push_with(&self, contact: usize, impulse: &[f64], velocity: &[impl Slot], of: impl Fn(f64) -> f64) {
         let right = self.right();
         for (block, body) in self.jacobian.blocks(contact).zip(self.jacobian.bodies(contact)) {
             let range = self.jacobian.velocities(*body as usize);
             let (rows, inverse) = (&right[self.jacobian.place(block)], &self.inverse[range.clone()]);
-            for (v, (w, inverse)) in velocity[range.clone()].iter_mut().zip(inverse).enumerate() {
+            for (v, (w, inverse)) in velocity[range.clone()].iter().zip(inverse).enumerate() {
                 let pushed: f64 = impulse.iter().enumerate().map(|(row, r)| of(rows[row * range.len() + v]) * of(*r)).sum();
-                *w += inverse * pushed;
+                w.set(w.get() + inverse * pushed);
             }
         }
     }
 
-    fn add_velocity_with(&self, contact: usize, velocity: &[f64], u: &mut [f64], of: impl Fn(f64) -> f64) {
+    fn add_velocity_with(&self, contact: usize, velocity: &[impl Slot], u: &mut [f64], of: impl Fn(f64) -> f64) {
         let left = self.left();
         for (block, body) in self.jacobian.blocks(contact).zip(self.jacobian.bodies(contact)) {
             let own = &velocity[self.jacobian.velocities(*body as usize)];
             for (u, row) in u.iter_mut().zip(left[self.jacobian.place(block)].chunks_exact(own.len())) {
-                *u += row.iter().zip(own).map(|(y, w)| of(*y) * w).sum::<f64>();
+                *u += row.iter().zip(own).map(|(y, w)| of(*y) * w.get()).sum::<f64>();
             }
         }
     }
@@ -223,6 +224,7 @@ impl MatrixFree {
 
     fn write_body_velocity_with(&self, impulse: &[f64], velocity: &mut [f64], of: impl Fn(f64) -> f64 + Copy) {
         velocity.fill(0.0);
+        let velocity = slots(velocity);
         for (k, r) in impulse.chunks_exact(self.rows_per_contact()).enumerate().filter(|(_, r)| r.iter().any(|r| *r != 0.0)) {
             self.push_with(k, r, velocity, of);
         }
@@ -338,19 +340,22 @@ impl ContactOperator for MatrixFree {
     }
 
     fn add_product(&self, impulse: &[f64], velocity: &mut [f64]) {
-        let moved = self.body_velocity(impulse);
-        velocity.chunks_exact_mut(self.rows_per_contact()).enumerate().for_each(|(k, u)| self.add_velocity(k, &moved, u));
+        let mut moved = self.body_velocity(impulse);
+        let moved = slots(&mut moved);
+        velocity.chunks_exact_mut(self.rows_per_contact()).enumerate().for_each(|(k, u)| self.add_velocity(k, moved, u));
     }
 
     fn add_magnitudes(&self, impulse: &[f64], sums: &mut [f64]) {
-        let moved = self.body_velocity_with(impulse, f64::abs);
-        sums.chunks_exact_mut(self.rows_per_contact()).enumerate().for_each(|(k, u)| self.add_velocity_with(k, &moved, u, f64::abs));
+        let mut moved = self.body_velocity_with(impulse, f64::abs);
+        let moved = slots(&mut moved);
+        sums.chunks_exact_mut(self.rows_per_contact()).enumerate().for_each(|(k, u)| self.add_velocity_with(k, moved, u, f64::abs));
     }
 
     fn add_contact(&self, contact: usize, impulse: &[f64], velocity: &mut [f64]) {
         let mut moved = vec![0.0; self.inverse.len()];
-        self.push(contact, impulse, &mut moved);
-        velocity.chunks_exact_mut(self.rows_per_contact()).enumerate().for_each(|(k, u)| self.add_velocity(k, &moved, u));
+        let moved = slots(&mut moved);
+        self.push(contact, impulse, moved);
+        velocity.chunks_exact_mut(self.rows_per_contact()).enumerate().for_each(|(k, u)| self.add_velocity(k, moved, u));
     }
 
     fn bodies(&self, contact: usize) -> Option<&[u32]> {

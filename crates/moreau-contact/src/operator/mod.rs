@@ -21,6 +21,7 @@ mod mass_block;
 mod matrix_free;
 mod of_mechanism;
 pub mod passes;
+pub(crate) mod slot;
 mod sparse;
 mod sparse_dynamics;
 mod velocity_factor;

@@ -3,8 +3,8 @@
 //! ```text
 //!     y_k → r_k of the law of contact k alone → Δr_k → y                    Σ A_nn‖Δr‖² block by block
 //! ```
-//! Blocks of one colour touch no body in common ([`colours`](super::colours)), so that several threads sweep them at the same time to the
-//! same bits. Each thread has contacts, impulses and a sum of its own; body velocities are read and written by whoever has the block, and
+//! Blocks of one colour touch nothing in common ([`colours`](super::colours)), so that several threads sweep them at the same time to the
+//! same bits. Each thread has contacts, impulses and a sum of its own; what contacts move is read and written by whoever has the block, and
 //! between two colours all threads wait for each other. Every number that threads share is an atomic: relaxed ones, which cost a processor
 //! nothing, since the waiting orders them.
 
@@ -12,9 +12,11 @@ use super::colours::Blocks;
 use super::one_contact::OneContact;
 use super::watch::is_over;
 use crate::memory::spare::spare_entries;
+use crate::operator::slot::Slot;
 use crate::tolerance::sweeps::LOOKED;
 use std::ops::Range;
 use std::sync::Barrier;
+use std::sync::atomic::AtomicU64;
 
 /// What contacts see of all others, and move of them.
 pub(super) trait Surroundings<const D: usize> {
@@ -98,22 +100,18 @@ impl<'a, L: OneContact, const D: usize> Sweep<'a, L, D> {
         }
     }
 
-    /// Sweeps in as many threads as there are `shares` of what they share: each gets its share into place before the first contact and
-    /// back after the last one.
-    pub fn side_by_side<A, S>(self, shares: Vec<S>, around: A, begin: impl Fn(&S) + Sync, end: impl Fn(&mut S) + Sync)
-    where
-        A: Surroundings<D> + Clone + Send,
-        S: Send,
-    {
+    /// Sweeps in as many threads as there are `shares` of the state: each puts its own into the slots that all share before the first
+    /// contact, and takes it back after the last one.
+    pub fn side_by_side<A: Surroundings<D> + Clone + Send>(self, shares: Vec<(&[AtomicU64], &mut [f64])>, around: A) {
         let barrier = Barrier::new(shares.len());
-        let go = |mut share: S, work: Vec<Vec<Piece<'a, L, D>>>, mut around: A| {
-            begin(&share);
+        let go = |(shared, own): (&[AtomicU64], &mut [f64]), work: Vec<Vec<Piece<'a, L, D>>>, mut around: A| {
+            shared.iter().zip(own.iter()).for_each(|(shared, number)| shared.set(*number));
             for mut pieces in work {
                 barrier.wait();
                 pieces.iter_mut().for_each(|piece| piece.sweep(&mut around));
             }
             barrier.wait();
-            end(&mut share);
+            shared.iter().zip(own).for_each(|(shared, number)| *number = shared.get());
         };
         let (go, work) = (&go, self.shared_out(shares.len()));
         std::thread::scope(|scope| {
@@ -153,78 +151,7 @@ pub(super) fn share(thread: usize, threads: usize, count: usize) -> Range<usize>
 
 #[cfg(test)]
 mod tests {
-    use super::super::colours::coloured;
-    use super::super::one_contact::Coulomb;
-    use super::super::swept::{Bodies, Swept};
     use super::*;
-    use crate::operator::{BlockRows, MatrixFree};
-    use crate::problem::ContactProblem;
-    use crate::tolerance::sweeps::BLOCK;
-    use nalgebra::{DMatrix, DVector, Matrix3};
-
-    /// Six blocks and a half of contacts along a chain of bodies, with numbers of no pattern.
-    fn chain() -> ContactProblem {
-        let n = 13 * BLOCK / 2;
-        let number = |seed: usize| ((seed.wrapping_mul(2_654_435_761) >> 7) % 1000) as f64 / 500.0 - 1.0;
-        let mut rows = BlockRows::new(3, vec![6; n + 1]).unwrap();
-        for k in 0..n {
-            let block = |side: usize| -> [f64; 18] { std::array::from_fn(|place| number(36 * k + 18 * side + place)) };
-            rows.push(&[(k, &block(0)), (k + 1, &block(1))]).unwrap();
-        }
-        let mass = DMatrix::from_diagonal(&DVector::from_fn(6, |axis, _| 1.0 + axis as f64));
-        let free = DVector::from_fn(3 * n, |row, _| number(7 * row + 3) - if row % 3 == 0 { 0.5 } else { 0.0 });
-        let operator = MatrixFree::new(&vec![mass; n + 1], rows).unwrap();
-        ContactProblem::new(operator, free).friction(vec![0.5; n]).build().unwrap()
-    }
-
-    /// Impulses, body velocities and changes after a few sweeps, bit by bit.
-    fn swept(problem: &ContactProblem, blocks: &Blocks, threads: usize) -> Vec<u64> {
-        let bodies = Bodies::<3>::with_threads(problem, problem.delassus().matrix_free().unwrap(), threads).unwrap();
-        let one = |k: usize| Coulomb::new(&Matrix3::from_iterator(problem.diagonal_block(k).iter().copied()), 0.5).unwrap();
-        let mut contacts: Vec<Coulomb> = (0..problem.contacts()).map(one).collect();
-        let mut impulses = vec![[0.0; 3]; problem.contacts()];
-        let mut state = vec![0.0; Swept::<3>::size(&bodies)];
-        let mut changes = vec![Change::default(); blocks.count()];
-        for _ in 0..4 {
-            let (contacts, impulses, changes) = (&mut contacts[..], &mut impulses[..], &mut changes[..]);
-            bodies.sweep(Sweep { blocks, contacts, impulses, changes }, &mut state);
-        }
-        assert!(changes.iter().all(|change| change.moved && change.squares > 0.0));
-        let squares = changes.iter().map(|change| change.squares);
-        impulses.as_flattened().iter().chain(&state).copied().chain(squares).map(f64::to_bits).collect()
-    }
-
-    #[test]
-    fn any_number_of_threads_gives_the_same_bits_and_another_order_of_the_blocks_others() {
-        let problem = chain();
-        let blocks = coloured(problem.delassus().matrix_free().unwrap());
-        assert_eq!(blocks.colours.iter().collect::<Vec<_>>(), [&[0, 2, 4, 6][..], &[1, 3, 5]]);
-        let alone = swept(&problem, &blocks, 1);
-        for threads in [2, 3, 64] {
-            assert!(swept(&problem, &blocks, threads) == alone, "{threads} threads");
-        }
-        // what the comparison is for: blocks that share a body, swept in another order
-        let mut other = blocks.clone();
-        other.colours.collect(2, |show| (0..2).for_each(|colour| blocks.colours[1 - colour].iter().for_each(|block| show(colour, *block))));
-        assert!(swept(&problem, &other, 1) != alone);
-        assert!(swept(&problem, &other, 3) == swept(&problem, &other, 1));
-    }
-
-    #[test]
-    fn a_sweep_whose_word_to_end_is_given_moves_nothing() {
-        use crate::solvers::watch::{Interrupt, watched};
-        let problem = chain();
-        let (free, interrupt) = (problem.delassus().matrix_free().unwrap(), Interrupt::default());
-        let bodies = Bodies::<3>::with_threads(&problem, free, 1).unwrap();
-        let one = |k: usize| Coulomb::new(&Matrix3::from_iterator(problem.diagonal_block(k).iter().copied()), 0.5).unwrap();
-        let mut contacts: Vec<Coulomb> = (0..problem.contacts()).map(one).collect();
-        let (mut impulses, blocks) = (vec![[0.0; 3]; problem.contacts()], coloured(free));
-        let (mut state, mut changes) = (vec![0.0; Swept::<3>::size(&bodies)], vec![Change::default(); blocks.count()]);
-        interrupt.now();
-        let sweep = Sweep { blocks: &blocks, contacts: &mut contacts, impulses: &mut impulses, changes: &mut changes };
-        let (_, seen) = watched(&interrupt, || bodies.sweep(sweep, &mut state));
-        assert!(seen.interrupted && impulses.as_flattened().iter().all(|r| *r == 0.0));
-    }
 
     #[test]
     fn shares_of_all_threads_are_everything_once() {

@@ -50,6 +50,7 @@ mod colours;
 mod contact_systems;
 mod convex_subproblems;
 mod creep;
+mod crew;
 mod definite;
 mod elimination;
 pub mod enumeration;
@@ -84,6 +85,7 @@ mod proximal_newton;
 mod shifted_operator;
 mod stopping;
 mod swept;
+mod swept_bodies;
 mod table;
 pub mod threads;
 mod velocity_elimination;
@@ -163,6 +165,8 @@ pub trait ContactSolver: Send + Sync {
 
 #[cfg(test)]
 mod agreement_tests;
+#[cfg(test)]
+mod crew_tests;
 #[cfg(test)]
 mod lcp_tests;
 #[cfg(test)]

@@ -5,8 +5,8 @@
 //! Each contact is solved to rounding (`one_contact`). For symmetric positive semidefinite W and a convex law the
 //! sweeps descend on ½rᵀ(W+R)r + (u_free+shift)ᵀr and converge; for Coulomb's law they usually do, and the certificate tells.
 //!
-//! Where W acts through bodies, their velocities are kept in place of y (`swept`), and contacts are swept block by block in the order of
-//! the blocks' colours (`colours`).
+//! Where W acts through bodies, their velocities are kept in place of y (`swept`). There, and where W is stored by the blocks of many
+//! contacts in the plane, contacts are swept block by block in the order of the blocks' colours (`colours`), by several threads if many.
 //!
 //! The certificate's residual is measured seldom. In between the change of a sweep, (Σ A_nn‖Δr‖²)^½, tells how it falls: it is measured
 //! again where that predicts the tolerance, and after as many sweeps as before, up to a limit. Every measurement computes y afresh, because
@@ -19,10 +19,12 @@ use super::ContactSolver;
 use super::anderson::{Anderson, Point};
 use super::block_sweep::{Change, Sweep};
 use super::colours::Blocks;
+use super::crew::Crew;
 use super::one_contact::{Associated, Coulomb, Frictionless, OneContact, Polyhedral, is_definite};
 use super::parts::copy;
 use super::stopping::Stopping;
-use super::swept::{Bodies, Free, Stored, Swept};
+use super::swept::{Joined, Stored, Swept};
+use super::swept_bodies::{Bodies, Free};
 use crate::memory::spare::{self, Lent};
 use crate::operator::passes;
 use crate::problem::{ContactProblem, Law, Solution};
@@ -128,10 +130,12 @@ impl ProjectedGaussSeidel {
         start: DVector<f64>,
         contacts: Lent<Vec<L>>,
     ) -> Result<Solution> {
-        match problem.delassus().matrix_free().map(|free| (free, Bodies::<3>::new(problem, free))) {
-            Some((_, Some(bodies))) => Sweeper::<_, _, D>::new(problem, bodies, contacts, start, self).solution(self),
-            Some((free, None)) => Sweeper::<_, _, D>::new(problem, Free::new(problem, free), contacts, start, self).solution(self),
-            None => Sweeper::<_, _, D>::new(problem, Stored(problem), contacts, start, self).solution(self),
+        let free = problem.delassus().matrix_free();
+        match (free, free.and_then(|free| Bodies::<3>::new(problem, free)), Joined::new(problem)) {
+            (_, Some(bodies), _) => Sweeper::<_, _, D>::new(problem, bodies, contacts, start, self).solution(self),
+            (Some(free), ..) => Sweeper::<_, _, D>::new(problem, Free::new(problem, free), contacts, start, self).solution(self),
+            (.., Some(joined)) => Sweeper::<_, _, D>::new(problem, joined, contacts, start, self).solution(self),
+            _ => Sweeper::<_, _, D>::new(problem, Stored(problem), contacts, start, self).solution(self),
         }
     }
 }
@@ -140,6 +144,7 @@ impl ProjectedGaussSeidel {
 struct Sweeper<'a, S, L: OneContact, const D: usize> {
     problem: &'a ContactProblem,
     swept: S,
+    crew: Crew,
     contacts: Lent<Vec<L>>,
     blocks: Blocks,
     /// Of every block what the last sweep changed.
@@ -197,6 +202,7 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
         let blocks = swept.blocks();
         Sweeper {
             problem,
+            crew: Crew::new(problem.contacts(), swept.size()),
             swept,
             contacts,
             changes: spare::repeated(blocks.count(), Change::default()).into(),
@@ -285,9 +291,9 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
 
     /// Solves every contact once; returns whether any impulse changed.
     fn sweep(&mut self) -> bool {
-        let Sweeper { swept, contacts, blocks, changes, point, .. } = self;
+        let Sweeper { swept, crew, contacts, blocks, changes, point, .. } = self;
         let impulses = point.x.as_mut_slice().as_chunks_mut::<D>().0;
-        swept.sweep(Sweep { blocks, contacts, impulses, changes }, point.state.as_mut_slice());
+        swept.sweep(crew, Sweep { blocks, contacts, impulses, changes }, point.state.as_mut_slice());
         passes::note();
         self.sweeps += 1;
         self.look.change = changes.iter().map(|change| change.squares).sum::<f64>().sqrt();
@@ -298,7 +304,7 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
     fn measure(&mut self) -> f64 {
         let Sweeper { swept, point, law_velocity, .. } = self;
         swept.set_state(point.x.as_slice(), point.state.as_mut_slice());
-        swept.law_velocity(point.x.as_slice(), point.state.as_slice(), law_velocity.as_mut_slice());
+        swept.law_velocity(point.x.as_slice(), point.state.as_mut_slice(), law_velocity.as_mut_slice());
         let relative = self.stopping.relative(&self.point.x, &self.law_velocity);
         self.best.offer(relative, &self.point.x, self.sweeps);
         let ratio = if self.look.change > 0.0 { relative / self.look.change } else { f64::INFINITY };

@@ -1,7 +1,7 @@
 //! How many threads a sweep over a large problem may use.
 //!
 //! The number belongs to the process, as its processors do; the command line sets it once, before anything else. No result depends on it:
-//! threads share out contacts that touch no body in common, and what they add up is added in the order of the contacts.
+//! threads share out contacts that touch nothing in common, and what they add up is added in the order of the contacts.
 
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};

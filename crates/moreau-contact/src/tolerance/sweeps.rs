@@ -18,13 +18,13 @@ pub const LOOK: usize = 64;
 /// Set.
 pub const PREDICTED: f64 = 2.0;
 
-/// Consecutive contacts that are swept one after the other, while other such blocks that touch no body of them may be swept at the same
+/// Consecutive contacts that are swept one after the other, while other such blocks that touch nothing of theirs may be swept at the same
 /// time. A block of 1024 contacts takes some 30 µs, and a few blocks fill no thread; so smaller problems are one block.
 /// Set.
 pub const BLOCK: usize = 1024;
 
 /// Contacts from which on a sweep is shared out among threads: it takes some milliseconds there, and to begin and end threads some tens of
-/// microseconds.
+/// microseconds. Fewer contacts of a W that is stored by blocks, and those in space, are swept as they are listed.
 /// Set.
 pub const THREADED: usize = 32_768;
 

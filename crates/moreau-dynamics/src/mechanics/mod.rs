@@ -162,8 +162,9 @@ pub trait Mechanism: Send + Sync {
         let _ = (position, contact);
         None
     }
-    /// ∂F/∂v of the gyroscopic torques of free bodies, nv × nv \[N·m·s\]. `None` if the mechanism does not consist of free bodies.
-    fn gyroscopic_slope(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Option<DMatrix<f64>> {
+    /// ∂F/∂v of the gyroscopic torques of free bodies, one block for the velocities of each body \[N·m·s\]. `None` if the mechanism does
+    /// not consist of free bodies.
+    fn gyroscopic_slope(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Option<Vec<DMatrix<f64>>> {
         let _ = (position, velocity);
         None
     }

@@ -35,7 +35,7 @@ impl Mechanism for Nearby<'_> {
             fn contacts_halfway(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact>;
             fn inverse_mass(&self, contact: &Contact) -> Option<f64>;
             fn contact_rotation(&self, position: &DVector<f64>, contact: &Contact) -> Option<DMatrix<f64>>;
-            fn gyroscopic_slope(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Option<DMatrix<f64>>;
+            fn gyroscopic_slope(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Option<Vec<DMatrix<f64>>>;
             fn reach(&self, velocity: &DVector<f64>, h: f64) -> f64;
             fn linear_force(&self) -> Option<LinearForce>;
             fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64>;

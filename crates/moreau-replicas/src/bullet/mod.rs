@@ -28,15 +28,14 @@
 //! For the law; the declared number of sweeps leaves a residual whose work comes on top. e on v_free gains g h in every elastic impact, and
 //! split impulses move rigid bodies in V without a law ([`crate::energy_balance`]).
 
-use moreau_contact::contact::delassus::{MassFactor, delassus};
-use moreau_contact::contact::{Components, Contact, pairs};
+use moreau_contact::contact::{Components, Contact, Jacobian, pairs};
 use moreau_contact::problem::{ContactProblem, Law};
 use moreau_contact::solvers::{ContactSolver, ProjectedGaussSeidel};
-use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
 use moreau_dynamics::schemes::{Scheme, StepContext, StepProblem, Waist, assembly, passes_the_waist};
 use moreau_exact::{Error, Result};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
+use std::sync::Arc;
 
 pub mod sequential_impulses;
 pub mod steps;
@@ -139,23 +138,26 @@ impl Bullet {
     }
 
     /// w of the module's equations; zero without deep contacts \[m/s\].
-    fn push(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<DVector<f64>> {
-        let deep: Vec<Contact> = mechanism.contacts(&state.position).into_iter().filter(|contact| self.is_split(contact)).collect();
+    fn push(&self, at: &StepContext) -> Result<DVector<f64>> {
+        let (mechanism, state) = (at.mechanism(), at.state());
+        let deep: Vec<&Contact> = at.contacts().iter().filter(|contact| self.is_split(contact)).collect();
         let freedoms = mechanism.degrees_of_freedom();
         if deep.is_empty() {
             return Ok(DVector::zeros(freedoms));
         }
-        let normals = DMatrix::from_fn(deep.len(), freedoms, |k, i| deep[k].jacobian[(0, i)]);
-        let mass = mechanism.mass_matrix(&state.position);
-        let problem = ContactProblem::new(delassus(&mass, &normals)?, DVector::zeros(deep.len()))
+        let inertia = at.inertia()?;
+        let normal = &[1.0, 0.0, 0.0][..mechanism.rows_per_contact()];
+        let normals = Arc::new(Jacobian::new(1, freedoms, deep.iter().map(|contact| contact.jacobian.combined(&[normal])).collect()));
+        let depths = deep.iter().map(|contact| self.error_reduction * (contact.gap + self.slop) / at.h());
+        let problem = ContactProblem::from_free_velocity(&inertia, &normals, DVector::zeros(deep.len()))
             .name(format!("{} split impulse t={}", mechanism.name(), state.time))
             .law(Law::Frictionless)
             .rows_per_contact(1)
-            .shift(DVector::from_iterator(deep.len(), deep.iter().map(|contact| self.error_reduction * (contact.gap + self.slop) / h)))
+            .shift(DVector::from_iterator(deep.len(), depths))
             .bodies(pairs(&deep.iter().map(|contact| contact.place).collect::<Vec<_>>()))
             .build()?;
         let impulse = ProjectedGaussSeidel::accelerated().solve(&problem, None)?.impulse;
-        Ok(MassFactor::new(&mass)?.solve(&normals.tr_mul(&impulse)))
+        Ok(inertia.solve(&normals.tr_mul(&impulse)))
     }
 }
 
@@ -204,22 +206,20 @@ impl Scheme for Bullet {
 
 impl Waist for Bullet {
     fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
-        let (mechanism, state, h) = (at.mechanism(), at.state(), at.h());
         self.validate()?;
         let mut assembled = assembly::assemble("bullet", self, at)?;
         tangents::turn(&mut assembled, self.bodies, self.is_boxed())?;
         // here an error can be told, in `advance` it cannot
-        self.push(mechanism, state, h)?;
+        self.push(at)?;
         Ok(assembled)
     }
 
     fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
-        let (mechanism, state, h) = (at.mechanism(), at.state(), at.h());
-        let moved = match self.push(mechanism, state, h) {
+        let moved = match self.push(at) {
             Ok(push) => velocity_post + push,
             Err(_) => velocity_post.clone(), // `assemble` has refused the step
         };
-        at.mechanism().integrate(&at.state().position, &moved, h)
+        at.mechanism().integrate(&at.state().position, &moved, at.h())
     }
 }
 
@@ -227,7 +227,7 @@ impl Waist for Bullet {
 mod tests {
     use super::*;
     use moreau_contact::tolerance::solvers;
-    use moreau_dynamics::mechanics::PointMass;
+    use moreau_dynamics::mechanics::{Mechanism, PointMass, State};
     use moreau_dynamics::schemes::step;
     use moreau_exact::tolerance::rounding;
     use nalgebra::dvector;

@@ -11,10 +11,9 @@
 //! The box |r·d₁| ≤ μ r_n, |r·d₂| ≤ μ r_n is the square with its corners on t₁ and t₂: the polyhedral law with four directions and √2 μ.
 
 use moreau_contact::contact::Jacobian;
-use moreau_contact::problem::{ContactProblemBuilder, Dynamics};
+use moreau_contact::problem::ContactProblem;
 use moreau_dynamics::schemes::StepProblem;
 use moreau_exact::Result;
-use nalgebra::{DMatrix, DVector};
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use std::sync::Arc;
 
@@ -31,31 +30,33 @@ pub enum Bodies {
 /// Turns the tangents of every spatial contact of a step; for a box also by 45°, and μ becomes √2 μ.
 pub(super) fn turn(step: &mut StepProblem, bodies: Bodies, boxed: bool) -> Result<()> {
     let Some(problem) = step.problem.take_if(|problem| problem.rows_per_contact() == 3) else { return Ok(()) };
-    let mut turned = Turned {
-        delassus: problem.dense().clone(),
-        free_velocity: DMatrix::from_column_slice(problem.rows(), 1, problem.free_velocity().as_slice()),
-        dynamics: problem.dynamics().cloned(),
-    };
-    let mut own_rows = step.jacobian.to_dense();
-    for (k, place) in step.places.iter_mut().enumerate() {
-        let slip = [1, 2].map(|row| turned.free_velocity[(3 * k + row, 0)]);
+    let mut free_velocity = problem.free_velocity().clone();
+    let mut turned = Vec::with_capacity(problem.contacts());
+    for ((place, u), rows) in step.places.iter_mut().zip(free_velocity.as_mut_slice().chunks_exact_mut(3)).zip(step.jacobian.contacts()) {
+        let slip = [u[1], u[2]];
         let frame = place.as_ref().map(|place| &place.frame);
         let own = if bodies == Bodies::Rigid { along(slip) } else { None };
         let [x, y] = own.or_else(|| frame.map(fixed)).unwrap_or([1.0, 0.0]);
         let grounded = place.as_ref().is_some_and(|place| place.bodies.1.is_none());
         let across = if grounded { [y, -x] } else { [-y, x] };
-        let rows = if boxed { [combined([x, y], across, 1.0), combined(across, [x, y], -1.0)] } else { [[x, y], across] };
-        turned.turn(k, rows);
+        let tangents = if boxed { [combined([x, y], across, 1.0), combined(across, [x, y], -1.0)] } else { [[x, y], across] };
         if let Some(place) = place {
             let [t1, t2] = [place.frame[1], place.frame[2]];
-            [place.frame[1], place.frame[2]] = rows.map(|[a, b]| [0, 1, 2].map(|i| a * t1[i] + b * t2[i]));
+            [place.frame[1], place.frame[2]] = tangents.map(|[a, b]| [0, 1, 2].map(|i| a * t1[i] + b * t2[i]));
         }
-        turn_rows(&mut own_rows, 3 * k + 1, rows);
+        [u[1], u[2]] = tangents.map(|[a, b]| a * slip[0] + b * slip[1]);
+        let [[a, b], [c, d]] = tangents;
+        turned.push(rows.combined(&[&[1.0, 0.0, 0.0], &[0.0, a, b], &[0.0, c, d]]));
     }
-    step.jacobian = Arc::new(Jacobian::from_dense(&own_rows, 3));
+    step.jacobian = Arc::new(Jacobian::new(3, step.jacobian.ncols(), turned));
     let factor = if boxed { SQRT_2 } else { 1.0 };
-    let friction = problem.friction().iter().map(|friction| friction * factor).collect();
-    step.problem = Some(turned.of(problem.into_builder().friction(friction)).build()?);
+    let built = ContactProblem::from_free_velocity(&step.effective_mass, &step.jacobian, free_velocity)
+        .name(problem.name())
+        .law(problem.law())
+        .friction(problem.friction().iter().map(|friction| friction * factor).collect())
+        .shift(problem.shift().clone())
+        .bodies(problem.bodies().map(<[_]>::to_vec));
+    step.problem = Some(built.build()?);
     Ok(())
 }
 
@@ -76,44 +77,6 @@ fn fixed([n, t1, t2]: &[[f64; 3]; 3]) -> [f64; 2] {
     let [x, y] = [t1, t2].map(|t| t.iter().zip(direction).map(|(a, b)| a * b).sum::<f64>());
     let length = x.hypot(y);
     [x / length, y / length]
-}
-
-/// Writes rows k and k + 1 in two other directions.
-fn turn_rows(matrix: &mut DMatrix<f64>, k: usize, rows: [[f64; 2]; 2]) {
-    for column in 0..matrix.ncols() {
-        let old = [matrix[(k, column)], matrix[(k + 1, column)]];
-        for (i, [a, b]) in rows.into_iter().enumerate() {
-            matrix[(k + i, column)] = a * old[0] + b * old[1];
-        }
-    }
-}
-
-/// What a problem says of its tangents; the shift acts on normals only.
-struct Turned {
-    delassus: DMatrix<f64>,
-    /// One column.
-    free_velocity: DMatrix<f64>,
-    dynamics: Option<Dynamics>,
-}
-
-impl Turned {
-    /// Turns everything of contact k.
-    fn turn(&mut self, k: usize, rows: [[f64; 2]; 2]) {
-        let row = 3 * k + 1;
-        turn_rows(&mut self.delassus, row, rows);
-        let mut transposed = self.delassus.transpose();
-        turn_rows(&mut transposed, row, rows);
-        self.delassus = transposed.transpose();
-        turn_rows(&mut self.free_velocity, row, rows);
-        if let Some(dynamics) = &mut self.dynamics {
-            turn_rows(&mut dynamics.jacobian, row, rows);
-        }
-    }
-
-    fn of(self, problem: ContactProblemBuilder) -> ContactProblemBuilder {
-        let free_velocity = DVector::from_column_slice(self.free_velocity.as_slice());
-        problem.delassus(self.delassus).free_velocity(free_velocity).dynamics(self.dynamics)
-    }
 }
 
 #[cfg(test)]

@@ -34,12 +34,12 @@ pub struct Touch {
 }
 
 impl Touch {
-    /// The contact at the start of a step of size h from `state`.
-    pub(super) fn new(material: Material, contact: &Contact, mass: &DMatrix<f64>, state: &State, h: f64) -> Self {
+    /// The contact at the start of a step of size h from `state`, of the diagonal of M.
+    pub(super) fn new(material: Material, contact: &Contact, mass: &DVector<f64>, state: &State, h: f64) -> Self {
         let depth = -contact.gap;
         let opening = (&contact.jacobian * &state.velocity)[0];
         let explicit = h * material.stiffness * depth.max(0.0) * (1.0 - material.dissipation * opening).max(0.0);
-        let widened = contact.friction * SIGMA * response(mass, &contact.jacobian.to_dense()) * explicit;
+        let widened = contact.friction * SIGMA * response(mass, &contact.jacobian) * explicit;
         let slip_scale = material.stiction_tolerance.max(widened);
         Touch { time_step: h, material, depth, friction: contact.friction, explicit, slip_scale }
     }
@@ -68,8 +68,8 @@ impl Touch {
 /// # Errors
 /// [`moreau_exact::Error::Invalid`] if nothing moves one of the bodies: these laws compute with M itself.
 pub(super) fn touches(material: Material, at: &StepContext, assembled: &StepProblem) -> Result<Vec<Touch>> {
-    let mass = assembled.effective_mass.finite_matrix()?;
-    Ok(assembled.active.iter().map(|&k| Touch::new(material, &at.contacts()[k], mass, at.state(), at.h())).collect())
+    let mass = assembled.effective_mass.finite_mass()?.diagonal();
+    Ok(assembled.active.iter().map(|&k| Touch::new(material, &at.contacts()[k], &mass, at.state(), at.h())).collect())
 }
 
 /// The step of a convex law of the touching contacts.

@@ -20,12 +20,12 @@
 
 use crate::drake::touching::response;
 use crate::drake::{Material, SIGMA};
-use moreau_contact::contact::Components;
+use moreau_contact::contact::{Components, Rows};
 use moreau_contact::problem::{Compliance, Coordinates, Law};
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
 use moreau_dynamics::schemes::{Scheme, StepContext, StepProblem, Waist, assembly, passes_the_waist};
 use moreau_exact::Result;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 use std::f64::consts::PI;
 
 /// Drake's `kSap`.
@@ -36,9 +36,9 @@ pub struct DrakeSap {
 }
 
 impl DrakeSap {
-    /// (R_n, R_t, …) \[1/kg\] of the contact with these rows of H.
-    fn regularisation(&self, mass: &DMatrix<f64>, rows: &DMatrix<f64>, h: f64) -> Vec<f64> {
-        let response = response(mass, rows);
+    /// (R_n, R_t, …) \[1/kg\] of the contact with these rows of H, of the diagonal of M.
+    fn regularisation(&self, diagonal: &DVector<f64>, rows: &Rows, h: f64) -> Vec<f64> {
+        let response = response(diagonal, rows);
         let Material { stiffness, relaxation_time, .. } = self.material;
         let spring = 1.0 / (h * stiffness * (h + relaxation_time));
         let normal = (response / (4.0 * PI * PI)).max(spring);
@@ -76,8 +76,8 @@ impl Waist for DrakeSap {
     fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
         let mut step = assembly::assemble("drake-sap", self, at)?;
         if let Some(problem) = step.problem.take() {
-            let contact = |k: usize| step.jacobian.contacts()[k].to_dense();
-            let parts = (0..problem.contacts()).flat_map(|k| self.regularisation(step.effective_mass.matrix(), &contact(k), at.h()));
+            let mass = step.effective_mass.mass().diagonal();
+            let parts = step.jacobian.contacts().iter().flat_map(|rows| self.regularisation(&mass, rows, at.h()));
             let diagonal = DVector::from_iterator(problem.rows(), parts);
             let compliance = Compliance { coordinates: Coordinates::Contact, diagonal };
             step.problem = Some(problem.into_builder().compliance(compliance).build()?);

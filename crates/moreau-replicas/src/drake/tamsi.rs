@@ -146,7 +146,7 @@ impl DrakeTamsi {
             return Ok(None);
         }
         let touches = touches(self.material, at, assembled)?;
-        let scale = assembled.effective_mass.matrix().diagonal().map(|m| 1.0 / m.sqrt());
+        let scale = assembled.effective_mass.mass().diagonal().map(|m| 1.0 / m.sqrt());
         let equation = Equation { assembled, touches: &touches, rows: at.mechanism().rows_per_contact(), scale };
         let (velocity, Residual { impulse, size, terms, .. }, iterations) = equation.solve(&at.state().velocity)?;
         let velocity = &*assembled.jacobian * &velocity;

@@ -1,6 +1,7 @@
 //! What Drake's laws share in a step: the contacts that touch, w, and an answer with its measure.
 
 use moreau_contact::certificate::StepResidual;
+use moreau_contact::contact::Rows;
 use moreau_contact::problem::Solution;
 use moreau_contact::tolerance::certificate::CERTIFY;
 use moreau_dynamics::schemes::waist::{Parts, step_in_parts};
@@ -8,10 +9,16 @@ use moreau_dynamics::schemes::{OwnAnswer, Start, Step, StepContext, StepProblem,
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 
-/// w = ‖J diag(M)⁻¹ Jᵀ‖/3 \[1/kg\] of the contact whose rows of H are J.
-pub(super) fn response(mass: &DMatrix<f64>, rows: &DMatrix<f64>) -> f64 {
-    let inverse = DMatrix::from_diagonal(&mass.diagonal().map(|m| 1.0 / m));
-    (rows * inverse * rows.transpose()).norm() / 3.0
+/// w = ‖J diag(M)⁻¹ Jᵀ‖/3 \[1/kg\] of the contact whose rows of H are J, of the diagonal of M.
+pub(super) fn response(diagonal: &DVector<f64>, rows: &Rows) -> f64 {
+    let mut product = DMatrix::zeros(rows.nrows(), rows.nrows());
+    for part in rows.parts() {
+        let masses = &diagonal.as_slice()[part.first..part.first + part.width];
+        let row = |k: usize| part.entries[k * part.width..(k + 1) * part.width].iter();
+        let entry = |i: usize, j: usize| row(i).zip(row(j)).zip(masses).map(|((h, other), mass)| h / mass * other).sum::<f64>();
+        product += DMatrix::from_fn(rows.nrows(), rows.nrows(), entry);
+    }
+    product.norm() / 3.0
 }
 
 /// An answer with Drake's measure of it, ‖D(M(v⁺ − v_free) − Hᵀr)‖ relative to its larger term, D = diag(M)^(−½).

@@ -23,7 +23,8 @@ impl Constant {
         let at_rest = DVector::zeros(taken.before.velocity.len());
         let force = mechanism.force(from, &at_rest);
         let same = mechanism.linear_force().is_none() && mechanism.mass_matrix(to) == mass && mechanism.force(to, &at_rest) == force;
-        let spins = || mechanism.gyroscopic_slope(from, &at_rest.map(|_| 1.0)).is_some_and(|slope| slope.amax() > 0.0);
+        let slopes = || mechanism.gyroscopic_slope(from, &at_rest.map(|_| 1.0));
+        let spins = || slopes().is_some_and(|slopes| slopes.iter().any(|slope| slope.amax() > 0.0));
         let smooth = matches!(waist.position, Position::Theta(_) | Position::Corrected) || !spins();
         (same && smooth).then_some(Constant { force, mass })
     }

@@ -12,8 +12,7 @@
 
 use crate::mujoco::{Integrator, Mujoco, Rotational};
 use moreau_contact::certificate::StepResidual;
-use moreau_contact::contact::ContactImpulse;
-use moreau_contact::contact::delassus::MassFactor;
+use moreau_contact::contact::{ContactImpulse, Mass};
 use moreau_contact::solvers::ContactSolver;
 use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::schemes::assembly::stack;
@@ -40,23 +39,25 @@ impl Mujoco {
         }
         let pushed = self.pushed(solver, mechanism, state, h)?;
         let singular = || Error::Unsupported(format!("{}: M − h ∂F/∂v is singular", mechanism.name()));
-        let acceleration = self.effective_mass(mechanism, state, h).lu().solve(&pushed.force).ok_or_else(singular)?;
+        let acceleration = solved(&self.effective_mass(mechanism, state, h), &pushed.force).ok_or_else(singular)?;
         let velocity = &state.velocity + acceleration * h;
         let position = mechanism.integrate(&state.position, &velocity, h);
         made(mechanism, State { time: state.time + h, position, velocity }, pushed.impulses, pushed.residual)
     }
 
-    /// M + hC, with implicitfast M + hC − hG.
-    pub(super) fn effective_mass(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> DMatrix<f64> {
-        let mut effective = mechanism.mass_matrix(&state.position);
-        if let Some(linear) = mechanism.linear_force() {
-            effective += linear.damping * h;
+    /// M + hC, with implicitfast M + hC − hG, by what couples its velocities.
+    pub(super) fn effective_mass(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Mass {
+        let mass = mechanism.mass(&state.position);
+        let slopes =
+            if self.integrator == Integrator::ImplicitFast { mechanism.gyroscopic_slope(&state.position, &state.velocity) } else { None };
+        let effective = match slopes {
+            Some(slopes) => less(&mass, slopes, h),
+            None => mass,
+        };
+        match mechanism.linear_force() {
+            Some(linear) => Mass::Dense(effective.to_dense() + linear.damping * h),
+            None => effective,
         }
-        let slope = mechanism.gyroscopic_slope(&state.position, &state.velocity);
-        if let (Integrator::ImplicitFast, Some(slope)) = (self.integrator, slope) {
-            effective -= slope * h;
-        }
-        effective
     }
 
     /// F + Hᵀf at a state: through the waist, or with the rows of rotation by our own Newton.
@@ -80,7 +81,7 @@ impl Mujoco {
         let (mut stage, mut residual) = (state.clone(), None);
         for (share, ahead) in [(1.0 / 6.0, 0.5), (1.0 / 3.0, 0.5), (1.0 / 3.0, 1.0), (1.0 / 6.0, 0.0)] {
             let pushed = self.pushed(solver, mechanism, &stage, h)?;
-            let acceleration = MassFactor::new(&mechanism.mass_matrix(&stage.position))?.solve(&pushed.force);
+            let acceleration = Inertia::of(mechanism.mass(&stage.position))?.solve(&pushed.force);
             mean_velocity += &stage.velocity * share;
             mean_acceleration += &acceleration * share;
             residual = StepResidual::worse_of(residual, pushed.residual);
@@ -91,6 +92,52 @@ impl Mujoco {
         let velocity = &state.velocity + mean_acceleration * h;
         let position = mechanism.integrate(&state.position, &mean_velocity, h);
         made(mechanism, State { time: state.time + h, position, velocity }, impulses, residual)
+    }
+}
+
+/// M − h G of free bodies, whose masses couple no two bodies, body by body.
+fn less(mass: &Mass, slopes: Vec<DMatrix<f64>>, h: f64) -> Mass {
+    let mut first = 0;
+    let body = |slope: DMatrix<f64>| {
+        let (begin, size) = (first, slope.nrows());
+        first += size;
+        block(mass, begin, size) - slope * h
+    };
+    Mass::Blocks(slopes.into_iter().map(body).collect())
+}
+
+/// The block of M of so many velocities from one on.
+fn block(mass: &Mass, first: usize, size: usize) -> DMatrix<f64> {
+    match mass {
+        Mass::Diagonal(diagonal) => DMatrix::from_diagonal(&diagonal.rows(first, size)),
+        Mass::Dense(dense) => dense.view((first, first), (size, size)).into_owned(),
+        Mass::Blocks(blocks) => {
+            let (mut found, mut begin) = (DMatrix::zeros(size, size), 0);
+            for block in blocks {
+                if begin >= first && begin + block.nrows() <= first + size {
+                    found.view_mut((begin - first, begin - first), block.shape()).copy_from(block);
+                }
+                begin += block.nrows();
+            }
+            found
+        }
+    }
+}
+
+/// A⁻¹ f, block by block, of an A that need not be symmetric; none where it is singular.
+fn solved(matrix: &Mass, force: &DVector<f64>) -> Option<DVector<f64>> {
+    match matrix {
+        Mass::Diagonal(diagonal) => diagonal.iter().all(|mass| *mass != 0.0).then(|| force.component_div(diagonal)),
+        Mass::Dense(dense) => dense.clone().lu().solve(force),
+        Mass::Blocks(blocks) => {
+            let (mut found, mut first) = (force.clone(), 0);
+            for block in blocks {
+                let mut own = found.rows_mut(first, block.nrows());
+                block.clone().lu().solve_mut(&mut own).then_some(())?;
+                first += block.nrows();
+            }
+            Some(found)
+        }
     }
 }
 

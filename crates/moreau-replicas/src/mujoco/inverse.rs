@@ -12,8 +12,7 @@
 //! map exists for RK4.
 
 use crate::mujoco::{Integrator, Mujoco};
-use moreau_contact::contact::Place;
-use moreau_contact::contact::delassus::MassFactor;
+use moreau_contact::contact::{Inertia, Place};
 use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::schemes::StepContext;
 use moreau_exact::number::counted;
@@ -54,7 +53,7 @@ impl Mujoco {
             let problem = format!("has {}", counted(acceleration.len(), "entry"));
             return Err(Error::invalid("acceleration", problem, format!("{} has {}", mechanism.name(), state.velocity.len())));
         }
-        let mut applied = mechanism.mass_matrix(&state.position) * acceleration - mechanism.force(&state.position, &state.velocity);
+        let mut applied = mechanism.mass(&state.position).times(acceleration) - mechanism.force(&state.position, &state.velocity);
         let mut contacts = Vec::new();
         for rows in self.soft_rows(mechanism, &state.position, &state.velocity, h)? {
             let violation = &rows.edges * (&rows.jacobian * acceleration) - &rows.reference;
@@ -88,8 +87,8 @@ impl Mujoco {
             return Err(Error::Unsupported("a step of RK4 has four accelerations, one in each stage".into()));
         }
         let change = (velocity_post - &state.velocity) / h;
-        let force = self.effective_mass(mechanism, state, h) * change;
-        Ok(MassFactor::new(&mechanism.mass_matrix(&state.position))?.solve(&force))
+        let force = self.effective_mass(mechanism, state, h).times(&change);
+        Ok(Inertia::of(mechanism.mass(&state.position))?.solve(&force))
     }
 }
 

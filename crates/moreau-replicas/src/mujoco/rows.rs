@@ -11,8 +11,7 @@ use crate::mujoco::integrator::Pushed;
 use crate::mujoco::parameters::Soft;
 use crate::mujoco::{Cone, Mujoco, Rotational};
 use moreau_contact::certificate::StepResidual;
-use moreau_contact::contact::delassus::MassFactor;
-use moreau_contact::contact::{ContactImpulse, Place};
+use moreau_contact::contact::{ContactImpulse, Inertia, Place};
 use moreau_contact::solvers::GaussNewton;
 use moreau_contact::solvers::gauss::{GaussProgram, SoftPiece};
 use moreau_contact::tolerance::certificate::CERTIFY;
@@ -42,8 +41,8 @@ impl Mujoco {
         velocity: &DVector<f64>,
         h: f64,
     ) -> Result<Vec<SoftRows>> {
-        let factor = MassFactor::new(&mechanism.mass_matrix(position))?;
-        let contacts = self.active(mechanism, position, &factor);
+        let inertia = Inertia::of(mechanism.mass(position))?;
+        let contacts = self.active(mechanism, position, inertia.factor());
         contacts.iter().map(|soft| self.rows_of(mechanism, position, velocity, h, soft)).collect()
     }
 
@@ -87,8 +86,9 @@ impl Mujoco {
 
     /// F + Hᵀf at a state, and h f of every active contact, by Newton's method on Gauss's program with all rows.
     pub(super) fn pushed_with_rotation(&self, mechanism: &dyn Mechanism, state: &State, force: &DVector<f64>, h: f64) -> Result<Pushed> {
+        // Gauss's program has M and H as matrices of all velocities
         let mass = mechanism.mass_matrix(&state.position);
-        let free = MassFactor::new(&mass)?.solve(force);
+        let free = Inertia::of(mechanism.mass(&state.position))?.solve(force);
         let contacts = self.soft_rows(mechanism, &state.position, &state.velocity, h)?;
         let count = contacts.iter().map(|contact| contact.edges.nrows()).sum();
         let (mut jacobian, mut offset) = (DMatrix::zeros(count, mass.ncols()), DVector::zeros(count));
@@ -129,6 +129,7 @@ fn pyramid(friction: &[f64]) -> DMatrix<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use moreau_contact::contact::delassus::MassFactor;
     use moreau_dynamics::scenes::named;
     use moreau_dynamics::schemes::{Scheme, step};
     use moreau_exact::tolerance::rounding;

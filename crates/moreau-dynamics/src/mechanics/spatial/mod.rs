@@ -328,15 +328,15 @@ impl Mechanism for SpatialBodies {
     }
 
     /// −∂(Ω × JΩ)/∂Ω = \[JΩ\]ₓ − \[Ω\]ₓ J for every body.
-    fn gyroscopic_slope(&self, _position: &DVector<f64>, velocity: &DVector<f64>) -> Option<DMatrix<f64>> {
-        let mut slope = DMatrix::zeros(self.degrees_of_freedom(), self.degrees_of_freedom());
+    fn gyroscopic_slope(&self, _position: &DVector<f64>, velocity: &DVector<f64>) -> Option<Vec<DMatrix<f64>>> {
+        let mut slopes = vec![DMatrix::zeros(6, 6); self.bodies.len()];
         for (k, body) in self.free() {
             let spin = spin(k, velocity);
             let momentum = body.moments().component_mul(&spin);
             let block = momentum.cross_matrix() - spin.cross_matrix() * Matrix3::from_diagonal(body.moments());
-            slope.fixed_view_mut::<3, 3>(6 * k + 3, 6 * k + 3).copy_from(&block);
+            slopes[k].fixed_view_mut::<3, 3>(3, 3).copy_from(&block);
         }
-        Some(slope)
+        Some(slopes)
     }
 
     /// The rows of a contact of body k see a point within its radius R_k. Three things move it outside: beside a face a sixteenth of the

@@ -284,7 +284,7 @@ fn the_gyroscopic_slope_is_the_derivative_of_the_force() {
     let bodies = pair(cuboid("a", [0.1, 0.2, 0.4]), cuboid("b", [0.3, 0.1, 0.2]));
     let q = configuration(&[[0.0, 0.0, 3.0, 0.3, -0.2, 0.5], [4.0, 0.0, 3.0, 0.0, 1.0, 0.0]]);
     let v = DVector::from_fn(12, |row, _| 1.5 - 0.7 * row as f64);
-    let slope = bodies.gyroscopic_slope(&q, &v).expect("free bodies");
+    let slope = Mass::Blocks(bodies.gyroscopic_slope(&q, &v).expect("free bodies")).to_dense();
     for column in 0..12 {
         // the torque is quadratic in v: its central difference over ±1 is exact
         let moved = |by: f64| bodies.force(&q, &(&v + DVector::from_fn(12, |row, _| if row == column { by } else { 0.0 })));
