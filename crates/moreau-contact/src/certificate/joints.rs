@@ -75,8 +75,8 @@ pub fn jointed_residuals(problem: &JointedProblem, solution: &Solution) -> Resul
     Ok(JointedResiduals { contacts, bilateral })
 }
 
-/// Puts u = W r + u_free with twice the digits in place of that of an answer, where rounding hides too much of a sum in a double; whether it
-/// does.
+/// Puts u = W r + u_free with twice the digits in place of that of an answer, where rounding hides too much of a sum in a double; whether
+/// it does.
 ///
 /// # Errors
 /// [`Error::Invalid`] if the answer has another size than the problem.

@@ -72,8 +72,8 @@ impl Judge {
         self.judge_prepared(problem, solution)
     }
 
-    /// Puts u = W r + u_free with twice the digits in place of that of an answer, where rounding hides too much of a sum in a double; whether
-    /// it does.
+    /// Puts u = W r + u_free with twice the digits in place of that of an answer, where rounding hides too much of a sum in a double;
+    /// whether it does.
     ///
     /// # Errors
     /// As [`Judge::judge`].

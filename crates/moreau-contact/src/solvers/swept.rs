@@ -7,7 +7,8 @@
 //! Since both are affine, the state at a combination of impulses with weights that sum to one is the same combination of the states.
 //!
 //! Threads share a sweep where contacts touch few others: by bodies ([`Bodies`](super::swept_bodies::Bodies),
-//! [`Free`](super::swept_bodies::Free)) and by blocks of the plane ([`Joined`]). Where W is a square matrix every contact moves every other.
+//! [`Free`](super::swept_bodies::Free)) and by blocks of the plane ([`Joined`]). Where W is a square matrix every contact
+//! moves every other.
 
 use super::block_sweep::{Surroundings, Sweep};
 use super::colours::{Blocks, coloured};
