@@ -40,7 +40,8 @@ impl ContactProblem {
             weights: Once::default(),
             islands: own.map_or_else(Once::default, Once::known),
             rounding: Once::default(),
-            loses_digits: self.loses_digits.get().filter(|loses| !**loses).map_or_else(Once::default, |_| Once::known(false)),
+            // it is asked of all bodies at once, not of all for each island
+            loses_digits: if self.loses_digits() { Once::default() } else { Once::known(false) },
             unformed: Once::default(),
             overreaches: self.known_overreach().map_or_else(Once::default, Once::known),
             indefiniteness: if self.known_overreach() == Some(false) { Once::known(0.0) } else { Once::default() },
