@@ -10,8 +10,8 @@
 
 use super::part::Part;
 use super::semidefinite::indefiniteness;
-use crate::operator::{ContactOperator, MatrixFree, Operator, Sparse, SparseDynamics};
-use crate::problem::{ConstraintKind, Dynamics, JointedProblem};
+use crate::operator::{ContactOperator, Operator};
+use crate::problem::{ConstraintKind, JointedProblem, Made};
 use crate::tolerance::certificate::{HIDDEN, JAMMED, row_rounding};
 use moreau_exact::doubled::DoubledResiduals;
 use moreau_exact::tolerance::EPSILON;
@@ -43,24 +43,6 @@ pub(super) struct Joints<'a> {
     pushed: DVector<f64>,
     /// V.
     fastest: f64,
-}
-
-/// Mass and Jacobian that the W of all rows was formed of.
-#[derive(Debug)]
-struct Made {
-    /// W that is not formed; none where there is no room for it.
-    unformed: Option<MatrixFree>,
-    /// Whether forming it lost digits, for the mass is nearly singular.
-    loses_digits: bool,
-}
-
-impl Made {
-    fn of(Dynamics { mass, jacobian }: &Dynamics) -> Self {
-        match SparseDynamics::new(&Sparse::of(mass), &Sparse::of(jacobian), 1) {
-            Ok(dynamics) => Made { unformed: dynamics.matrix_free().ok(), loses_digits: dynamics.loses_digits() },
-            Err(_) => Made { unformed: None, loses_digits: true },
-        }
-    }
 }
 
 /// γ of every row of y: the entries of W that are zero round nothing.

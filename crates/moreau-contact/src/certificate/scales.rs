@@ -310,11 +310,7 @@ impl Scales {
             sums.subtract_unit(row, &-shift);
             softness.into_iter().for_each(|softness| sums.subtract_from(row, &softness[row..=row], &-r));
         }
-        let off = if problem.knows_rows() && problem.delassus().matrix_free().is_none() {
-            problem.unformed()?.add_doubled(impulse, gammas, &mut sums)?
-        } else {
-            problem.delassus().add_doubled(impulse, gammas, &mut sums)?
-        };
+        let off = problem.add_doubled(impulse, gammas, &mut sums)?;
         let sharp = sums.values();
         let floor = |row: usize| EPSILON * sharp[row].abs() + gammas[row] * self.floors[row] + off[row];
         let floors = (0..sharp.len()).map(floor).collect();

@@ -12,6 +12,7 @@ mod json;
 mod keys;
 mod law;
 mod lcp;
+mod made;
 mod planar_problem;
 mod posed;
 #[cfg(feature = "files")]
@@ -31,6 +32,7 @@ pub use json::{LcpFile, ProblemFile, SolutionFile, WarmStart};
 pub use keys::ContactKey;
 pub use law::Law;
 pub use lcp::Lcp;
+pub(crate) use made::Made;
 pub use planar_problem::{ImpulseLcp, PlanarProblem, Response};
 pub use posed::Posed;
 pub use solution::Solution;

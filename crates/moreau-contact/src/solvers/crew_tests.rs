@@ -132,7 +132,11 @@ fn blocks_of_few_contacts_or_in_space_are_swept_as_they_are_listed_and_those_of_
     let problem = |rows: usize, contacts: usize| {
         let one = DMatrix::identity(rows, rows);
         let w = BlockSparse::new(rows, contacts, (0..contacts).map(|k| (k, k, one.clone())).collect()).unwrap();
-        ContactProblem::new(w, DVector::from_element(rows * contacts, -1.0)).rows_per_contact(rows).build().unwrap()
+        ContactProblem::new(w, DVector::from_element(rows * contacts, -1.0))
+            .rows_per_contact(rows)
+            .friction(vec![0.0; contacts])
+            .build()
+            .unwrap()
     };
     assert!(Joined::new(&problem(1, THREADED - 1)).is_none() && Joined::new(&problem(3, THREADED)).is_none());
     assert!(Joined::new(&problem(2, THREADED)).is_some());
