@@ -319,7 +319,7 @@ fn a_mass_that_is_nearly_singular_hides_what_its_factors_lose() {
 }
 
 enum Way {
-    Alone(ContactProblem),
+    Alone(Box<ContactProblem>),
     Joined(JointedProblem),
 }
 
@@ -329,7 +329,9 @@ fn each_way(mass: &DMatrix<f64>, jacobian: &DMatrix<f64>) -> moreau_exact::Resul
     let (own, row) = (part(mass, 2), part(jacobian, 1));
     let mut rows = BlockRows::new(1, [2])?;
     rows.push(&[(0, row.transpose().as_slice())])?;
-    let build = |problem: crate::problem::ContactProblemBuilder| problem.law(Law::Frictionless).rows_per_contact(1).build().map(Way::Alone);
+    let build = |problem: crate::problem::ContactProblemBuilder| {
+        problem.law(Law::Frictionless).rows_per_contact(1).build().map(|problem| Way::Alone(Box::new(problem)))
+    };
     let bodies = build(ContactProblem::new(MatrixFree::new(std::slice::from_ref(&own), rows)?, dvector![-1.0]))?;
     let listed = SparseDynamics::new(&Sparse::of(&own), &Sparse::of(&row), 1)?;
     let lists = build(ContactProblem::new(listed.delassus()?, dvector![-1.0]).sparse_dynamics(listed))?;

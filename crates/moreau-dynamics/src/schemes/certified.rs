@@ -80,7 +80,8 @@ impl ContactSolver for Certified<'_> {
         let mut found = self.found();
         let failed = |error: Error| Error::breakdown(self.name(), error.to_string());
         let mut worst = found.judge.judge_once(problem, &solution).map_err(failed)?.worst();
-        if !(worst.1.part.relative() <= self.tolerance) && found.judge.sharpen(problem, &mut solution).map_err(failed)? {
+        let is_accepted = worst.1.part.relative() <= self.tolerance;
+        if !is_accepted && found.judge.sharpen(problem, &mut solution).map_err(failed)? {
             worst = found.judge.judge(problem, &solution).map_err(failed)?.worst();
         }
         let ((residual, worst), relative) = (worst, worst.1.part.relative());
