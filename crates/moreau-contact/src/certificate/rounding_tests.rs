@@ -320,7 +320,7 @@ fn a_mass_that_is_nearly_singular_hides_what_its_factors_lose() {
 
 enum Way {
     Alone(Box<ContactProblem>),
-    Joined(JointedProblem),
+    Joined(Box<JointedProblem>),
 }
 
 /// The contact of the first row alone – by bodies, by rows and by lists – and with the second one as a joint.
@@ -341,5 +341,5 @@ fn each_way(mass: &DMatrix<f64>, jacobian: &DMatrix<f64>) -> moreau_exact::Resul
     let kinds = vec![ConstraintKind::Contact, ConstraintKind::Bilateral { rows: 1 }];
     let joined = JointedProblem::new(1, kinds, w, dvector![-1.0, -1.0])?.law(Law::Frictionless, vec![0.0; 2])?;
     let joined = joined.made_of(Some(Dynamics { mass: mass.clone(), jacobian: jacobian.clone() }))?;
-    Ok([bodies, made, lists, Way::Joined(joined)])
+    Ok([bodies, made, lists, Way::Joined(Box::new(joined))])
 }
