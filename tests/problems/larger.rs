@@ -4,9 +4,10 @@
 use super::metamorphic::velocity;
 use super::piles::{is_convex, stored_in_turn};
 use super::solvers::accepted;
+use super::stored;
 use super::transform::{in_units, select, selected};
 use moreau::ContactProblem;
-use moreau::solvers::ALL;
+use moreau::solvers::{ALL, Auto, ContactSolver, NonsmoothNewton};
 use nalgebra::DVector;
 
 /// Iterations of a solver that has a limit.
@@ -69,4 +70,23 @@ fn the_order_units_and_a_contact_that_stands_twice_change_nothing_in_a_pile() {
             assert!(is_same, "{}, {what}: u differs by {apart} m/s", problem.name());
         }
     }
+}
+
+/// Boxes that slide on points all but in a plane: at these all starts of Newton's method fail, one after the other, and Fischer and
+/// Burmeister's equations end them before the first one would have failed.
+#[test]
+fn what_newtons_method_fails_at_is_ended_before_all_of_its_starts() {
+    let mut seen = 0;
+    for (_, problem, _) in stored(11).filter(|(stored, ..)| stored.name.starts_with("uneven-")) {
+        let newton = NonsmoothNewton::default().solve(&problem, None);
+        if accepted(&problem, &newton) {
+            continue;
+        }
+        let (auto, newton) = (Auto.solve(&problem, None), newton.expect("an answer that is refused"));
+        assert!(accepted(&problem, &auto), "{}", problem.name());
+        let taken = auto.expect("accepted").iterations;
+        assert!(taken < newton.iterations, "{}: {taken} of {}", problem.name(), newton.iterations);
+        seen += 1;
+    }
+    assert!(seen >= 3, "{seen} such problems");
 }
