@@ -29,6 +29,11 @@ pub struct Dumps<'a> {
 }
 
 impl DumpOptions {
+    /// The files of the step that is asked for: its problem, and its answer.
+    pub fn files(&self) -> Vec<PathBuf> {
+        self.dump_step.get(1).map_or_else(Vec::new, |file| vec![PathBuf::from(file), beside(Path::new(file))])
+    }
+
     /// Checks the step and the folder, which is made when there is something to write.
     pub fn start(&self, steps: usize) -> Result<Dumps<'_>> {
         let step = match &self.dump_step[..] {
@@ -109,12 +114,17 @@ fn write(step: &Step, problem: &ContactProblem, solution: &Solution, file: &Path
         }
         None => (problem, solution),
     };
-    let stem = file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    let ending = file.extension().map(|ending| format!(".{}", ending.to_string_lossy())).unwrap_or_default();
-    let beside = file.with_file_name(format!("{stem}-solution{ending}"));
+    let beside = beside(file);
     let found = serde_json::to_value(residuals(problem, solution)?)?;
     let (problem, solution) = (problem.to_json(), solution.to_json(Some(problem.name()), Some(found)));
     write_together(&[(file, problem.as_bytes()), (&beside, solution.as_bytes())])
+}
+
+/// `name-solution.json` beside `name.json`.
+fn beside(file: &Path) -> PathBuf {
+    let stem = file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    let ending = file.extension().map(|ending| format!(".{}", ending.to_string_lossy())).unwrap_or_default();
+    file.with_file_name(format!("{stem}-solution{ending}"))
 }
 
 /// Which contact each of a problem is, if it is the one that the step holds: a scheme may pose others on the way.

@@ -216,7 +216,9 @@ impl Arguments {
     /// No result may go over the scene or over another one.
     fn keep_files(&self, scene: &str) -> Result<()> {
         let all = [("--out", &self.out), ("--plot", &self.plot), ("--html", &self.html)];
-        let outputs: Vec<_> = all.into_iter().filter_map(|(option, file)| Some((option, file.as_deref()?))).collect();
+        let mut outputs: Vec<_> = all.into_iter().filter_map(|(option, file)| Some((option, file.as_deref()?))).collect();
+        let dumped = self.dumps.files();
+        outputs.extend(dumped.iter().map(|file| ("--dump-step", file.as_path())));
         keep_files(&[Path::new(scene)], &outputs)?;
         require_svg("--plot", self.plot.as_deref())?;
         outputs::require("--out", self.out.as_deref(), JSON)?;

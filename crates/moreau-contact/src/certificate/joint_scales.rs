@@ -12,7 +12,7 @@ use super::part::Part;
 use super::semidefinite::indefiniteness;
 use crate::operator::{ContactOperator, Operator};
 use crate::problem::{ConstraintKind, JointedProblem, Made};
-use crate::tolerance::certificate::{HIDDEN, JAMMED, row_rounding};
+use crate::tolerance::certificate::{HIDDEN, JAMMED, OFF_BY_FORMING, row_rounding};
 use moreau_exact::doubled::DoubledResiduals;
 use moreau_exact::tolerance::EPSILON;
 use nalgebra::DVector;
@@ -31,6 +31,8 @@ pub(super) struct Joints<'a> {
     unrounded: DVector<f64>,
     /// γ of every row.
     gammas: DVector<f64>,
+    /// Whether rounding hides more than it may of some row.
+    is_doubtful: bool,
     /// What W was made of, if it was.
     made: Option<Made>,
     /// How far the W of all rows is from one of bodies; found when it is asked.
@@ -74,7 +76,23 @@ impl<'a> Joints<'a> {
         }
         let (floors, unrounded) = ((moved + &given).component_mul(&gammas), (given - data.abs()).component_mul(&gammas));
         let (strangeness, sharp) = (OnceCell::new(), OnceCell::new());
-        Joints { problem, impulse, pushing, floors, unrounded, gammas, made, strangeness, sharp, data, pushed, fastest }
+        let mut joints = Joints {
+            problem,
+            impulse,
+            pushing,
+            floors,
+            unrounded,
+            gammas,
+            is_doubtful: false,
+            made,
+            strangeness,
+            sharp,
+            data,
+            pushed,
+            fastest,
+        };
+        joints.is_doubtful = joints.is_made_doubtful() || (0..problem.kinds().len()).any(|k| joints.hides_too_much(k));
+        joints
     }
 
     /// The joint that an impulse of contact `i` of the [`pushing`](JointedProblem::pushing) ones moves most, by what it is judged by.
@@ -128,18 +146,16 @@ impl<'a> Joints<'a> {
                 sums.subtract_unit(row, &-shift);
                 sums.subtract_from(row, &softnesses[row..=row], &-r);
             }
-            let (r, gammas) = (self.impulse.as_slice(), self.gammas.as_slice());
-            let mut of_terms = self.floors.component_mul(&self.gammas);
-            let by_bodies = |made: &Made| made.unformed.as_ref().and_then(|free| free.add_doubled(r, gammas, &mut sums));
-            match self.made.as_ref().map(by_bodies) {
-                Some(Some(off)) => of_terms += DVector::from_vec(off),
+            let (r, gammas) = (self.impulse.as_slice(), &self.gammas);
+            let given = problem.free_velocity().abs() + problem.shifts().abs() + problem.softnesses().component_mul(&self.impulse.abs());
+            let by_bodies = |made: &Made| made.unformed.as_ref().and_then(|free| free.add_doubled(r, &mut sums));
+            let of_terms = match self.made.as_ref().map(by_bodies) {
+                Some(Some(off)) => DVector::from_vec(off) + given * row_rounding(1).powi(2),
                 not_by_bodies => {
                     problem.delassus().column_iter().zip(r).for_each(|(w, r)| sums.subtract(w.clone_owned().as_slice(), &-r));
-                    if not_by_bodies.is_some() {
-                        of_terms.copy_from(&self.floors);
-                    }
+                    if not_by_bodies.is_some() { self.floors.clone() } else { self.floors.component_mul(gammas) }
                 }
-            }
+            };
             let y = DVector::from_vec(sums.values());
             let floors = y.abs() * EPSILON + of_terms;
             [y, floors]
@@ -161,8 +177,21 @@ impl<'a> Joints<'a> {
         floor.is_nan() || floor > self.hidden()
     }
 
+    /// Whether rounding hides more than it may of some row: then all are judged with twice the digits.
+    pub fn is_anything_doubtful(&self) -> bool {
+        self.is_doubtful
+    }
+
+    /// As of contacts: rows that are nearly orthogonal in M⁻¹ are off by γ_i √W_ii Σ_j √W_jj |r_j|, which no floor has among its terms.
+    fn is_made_doubtful(&self) -> bool {
+        let root = |row: usize| self.problem.delassus()[(row, row)].abs().sqrt();
+        let reach: f64 = self.impulse.iter().enumerate().map(|(row, r)| root(row) * r.abs()).sum();
+        self.made.is_some()
+            && (0..self.problem.rows()).any(|row| self.hides(self.gammas[row] * root(row) * reach * HIDDEN / OFF_BY_FORMING))
+    }
+
     /// Whether rounding hides more than it may of y at joint k.
-    fn is_doubtful(&self, k: usize) -> bool {
+    fn hides_too_much(&self, k: usize) -> bool {
         let rows = self.problem.rows_of(k);
         let [floors, unrounded] = [&self.floors, &self.unrounded].map(|all| all.rows(rows.start, rows.len()));
         self.hides((floors - unrounded).norm())
@@ -170,14 +199,14 @@ impl<'a> Joints<'a> {
 
     /// The velocity of joint k, of this y or with twice the digits.
     pub fn velocity(&self, k: usize, law_velocity: &DVector<f64>) -> Part {
-        let y = if self.is_doubtful(k) { &self.sharp()[0] } else { law_velocity };
+        let y = if self.is_doubtful { &self.sharp()[0] } else { law_velocity };
         self.part(k, self.norm(k, y))
     }
 
     /// How far the stored velocity u of joint k is from what its impulses make it, `found` or with twice the digits; where those are needed
     /// it may be off by what rounding may hide.
     pub fn stored(&self, k: usize, [stored, found]: [&DVector<f64>; 2]) -> Part {
-        if !self.is_doubtful(k) {
+        if !self.is_doubtful {
             return self.part(k, self.norm(k, &(stored - found)));
         }
         let sharp = &self.sharp()[0] - self.problem.shifts() - self.problem.softnesses().component_mul(self.impulse);
@@ -186,9 +215,7 @@ impl<'a> Joints<'a> {
 
     /// y of twice the digits, where rounding hides too much of some row of it.
     pub fn sharp_velocity(&self) -> Option<&DVector<f64>> {
-        let rounded = &self.floors - &self.unrounded;
-        let hides_too_much = |k: usize| self.norm(k, &rounded) > self.hidden();
-        (0..self.problem.kinds().len()).any(hides_too_much).then(|| &self.sharp()[0])
+        self.is_doubtful.then(|| &self.sharp()[0])
     }
 
     fn norm(&self, k: usize, all: &DVector<f64>) -> f64 {
@@ -199,7 +226,7 @@ impl<'a> Joints<'a> {
     /// A velocity of joint k with its scale and its floor; a floor that even with twice the digits hides more of V than it may is a
     /// residual itself.
     fn part(&self, k: usize, value: f64) -> Part {
-        let is_doubtful = self.is_doubtful(k);
+        let is_doubtful = self.hides_too_much(k);
         let floor = self.norm(k, if is_doubtful { &self.sharp()[1] } else { &self.floors });
         let value = if is_doubtful && self.hides(floor) { moreau_exact::number::larger(value, floor) } else { value };
         Part { value, scale: self.scale(k), floor: floor.min(self.hidden()) }

@@ -143,6 +143,7 @@ impl Judge {
         self.set_law_velocity(problem, impulse);
         self.is_doubtful = false;
         let mut judged = self.judge_again(problem, solution, unheld.joints, &mut |_, _, _| {})?;
+        self.is_doubtful |= unheld.joints.map_or_else(|| self.scales.is_made_doubtful(problem), Joints::is_anything_doubtful);
         if self.is_doubtful {
             self.scales.sharpen(problem, impulse, unheld.joints, &mut self.law_velocity);
             judged = self.judge_again(problem, solution, unheld.joints, &mut |_, _, _| {})?;

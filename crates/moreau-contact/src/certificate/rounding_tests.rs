@@ -324,6 +324,79 @@ fn a_mass_that_is_nearly_singular_hides_what_its_factors_lose() {
     assert!(right.iter().all(|count| *count > 34) && wrong.iter().all(|count| *count > 400), "{right:?} {wrong:?}");
 }
 
+/// Rows 0 and 2 are nearly orthogonal in M⁻¹, rows 0 and 1 carry 2^p N·s on each other: the terms of W_20 cancel, and what is left of its
+/// rounding times 2^p is a velocity of contact 2. By mass and Jacobian alone is it known which impulse of it is right.
+#[test]
+fn rows_whose_terms_cancel_are_judged_by_mass_and_jacobian() {
+    let (mut right, mut wrong) = ([0; 3], [0; 3]);
+    for (power, coupled) in (16..=56).flat_map(|power| [0.0, 0.7, 2.9997].map(|coupled| (power, coupled))) {
+        let load = 2f64.powi(power);
+        let mass = dmatrix![3.0, coupled, 0.0; coupled, 3.0, 0.0; 0.0, 0.0, load];
+        // h₂ᵀ M⁻¹ h₀ = 0 but for rounding
+        let orthogonal = [0.64 * (3.0 - 3.0 * coupled) / 3.0, -0.64 * (9.0 - coupled) / 3.0];
+        let jacobian = dmatrix![3.0, 1.0, 0.0; -9.0, -3.0, 1.0; orthogonal[0], orthogonal[1], 0.0];
+        let r = [3.0 * load + 1.0, load, 1.0];
+        let [exact_mass, exact_jacobian] = [&mass, &jacobian].map(|of| of.map(exact));
+        let identity = DMatrix::identity(3, 3).map(|x: f64| exact(x));
+        let inverse = moreau_exact::elimination::solve_columns(&exact_mass, &identity).unwrap();
+        let w = &exact_jacobian * inverse * exact_jacobian.transpose();
+        let moved = |r: &[f64; 3]| &w * DVector::from_iterator(3, r.iter().map(|r| exact(*r)));
+        let given = moved(&r).map(|u| -Scalar::to_f64(&u));
+        let dynamics = || Dynamics { mass: mass.clone(), jacobian: jacobian.clone() };
+        let listed = SparseDynamics::new(&Sparse::of(&mass), &Sparse::of(&jacobian), 1).unwrap();
+        let formed = listed.delassus().unwrap().to_dense();
+        let build = |w: Operator| ContactProblem::new(w, given.clone()).law(Law::Frictionless).rows_per_contact(1);
+        let made = build(formed.clone().into()).dynamics(dynamics()).build().unwrap();
+        let bodies = build(listed.matrix_free().unwrap().into()).build().unwrap();
+        let kinds = vec![ConstraintKind::Contact, ConstraintKind::Bilateral { rows: 1 }, ConstraintKind::Contact];
+        let joined = JointedProblem::new(1, kinds, formed.clone(), given.clone()).unwrap().law(Law::Frictionless, vec![0.0; 3]).unwrap();
+        let joined = joined.made_of(Some(dynamics())).unwrap();
+        let of_formed = -(given[2] + formed[(2, 0)] * r[0] + formed[(2, 1)] * r[1]) / formed[(2, 2)];
+        for last in [1.0, 1.0 + 1e-3, 1.0 - 1e-4, of_formed, 0.0].into_iter().filter(|last| *last >= 0.0) {
+            let impulse = [r[0], r[1], last];
+            let y = (moved(&impulse) + given.map(exact)).map(|u| Scalar::to_f64(&u));
+            let off = y.amax() / given.amax();
+            for (way, count) in (0..3).zip(right.iter_mut().zip(&mut wrong)) {
+                let accepted = [y.clone(), DVector::zeros(3)].into_iter().any(|velocity| {
+                    let solution = Solution::new("by hand", DVector::from_row_slice(&impulse), velocity, 0);
+                    match way {
+                        0 => residuals(&made, &solution).unwrap().is_solution(CERTIFY),
+                        1 => residuals(&bodies, &solution).unwrap().is_solution(CERTIFY),
+                        _ => jointed_residuals(&joined, &solution).unwrap().is_solution(CERTIFY),
+                    }
+                });
+                let shown = || format!("2^{power} {coupled}, way {way}, {last} N·s: y {off:e} of V, accepted {accepted}");
+                if last == 1.0 {
+                    assert!(accepted || power > 40, "{}", shown());
+                    *count.0 += usize::from(accepted);
+                } else if off > 2.1e-5 && (last > 0.0 || y[2] < 0.0) {
+                    assert!(!accepted, "{}", shown());
+                    *count.1 += 1;
+                }
+            }
+        }
+    }
+    println!("{right:?} right, {wrong:?} wrong");
+    assert!(right.iter().all(|count| *count > 100) && wrong.iter().all(|count| *count > 200), "{right:?} {wrong:?}");
+}
+
+/// M = [[1, 1 − 2⁻³⁴], [1 − 2⁻³⁴, 1]], H = [1 1], q = −1: W is nearly a half of 2, whatever M loses, and the answer solves it to the last bit.
+#[test]
+fn an_exact_answer_to_a_nearly_singular_mass_is_accepted() {
+    for power in (20..=44).step_by(2) {
+        let off = 1.0 - 2f64.powi(-power);
+        let (mass, jacobian) = (dmatrix![1.0, off; off, 1.0], dmatrix![1.0, 1.0]);
+        let problem = ContactProblem::from_dynamics(mass, jacobian, &DVector::zeros(2)).free_velocity(dvector![-1.0]);
+        let problem = problem.law(Law::Frictionless).rows_per_contact(1).build().unwrap();
+        let impulse = (1.0 + off) / 2.0;
+        let accepts = |impulse: f64| {
+            let solution = Solution::new("by hand", dvector![impulse], dvector![0.0], 0);
+            residuals(&problem, &solution).unwrap().is_solution(CERTIFY)
+        };
+        assert!(accepts(impulse) && !accepts(impulse * 1.0001) && !accepts(impulse * 0.9999), "2^-{power}");
+    }
+}
+
 enum Way {
     Alone(Box<ContactProblem>),
     Joined(Box<JointedProblem>),

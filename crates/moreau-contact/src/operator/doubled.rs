@@ -8,21 +8,22 @@
 //! X ≈ M_b⁻¹, ‖1 − X M_b‖ ≤ ½: |M_b⁻¹ ρ| ≤ 2 max |X||ρ| for what is left, ρ = p_b − M_b w_b, and its rounding.
 
 use super::{MatrixFree, Operator};
-use crate::tolerance::certificate::gamma;
+use crate::tolerance::certificate::{gamma, row_rounding};
 use moreau_exact::doubled::DoubledResiduals;
 use nalgebra::{DMatrix, DVector};
 
-/// Corrections of w: each gains the digits that M_b leaves, and three are twice the digits of a double up to ‖M_b‖‖M_b⁻¹‖ = 10⁸.
-const PARTS: usize = 4;
+/// Parts of w: each gains the digits that M_b leaves, four are twice the digits of a double up to ‖M_b‖‖M_b⁻¹‖ = 10⁸, eight up to 10¹².
+const PARTS: usize = 8;
 
 impl Operator {
-    /// Adds W r to sums of doubled precision, and returns a bound of what that is off by beside their own rounding, row by row, nothing
-    /// where W is stored; `None` where none is known. γ is that of the rows, 2 terms + 8 spacings.
-    pub(crate) fn add_doubled(&self, impulse: &[f64], gamma: &[f64], sums: &mut DoubledResiduals<f64>) -> Option<Vec<f64>> {
-        match self {
+    /// Adds W r to sums of doubled precision, and returns a bound of what that is off by beside ε of the sums, row by row, γ² of its terms
+    /// where W is stored; `None` where none is known.
+    pub(crate) fn add_doubled(&self, impulse: &[f64], sums: &mut DoubledResiduals<f64>) -> Option<Vec<f64>> {
+        let rows = match self {
             Operator::Dense(dense) => {
                 let columns = dense.as_slice().chunks_exact(dense.nrows().max(1)).zip(impulse).filter(|(_, r)| **r != 0.0);
                 columns.for_each(|(column, r)| sums.subtract(column, &-r));
+                1
             }
             Operator::Blocks(stored) => {
                 let d = stored.blocks.rows_per_contact();
@@ -31,16 +32,21 @@ impl Operator {
                         block.chunks_exact(d).zip(r).for_each(|(column, r)| sums.subtract_from(j * d, column, &-r));
                     }
                 }
+                d
             }
-            Operator::Bodies(bodies) => return bodies.free.add_doubled(impulse, gamma, sums),
-        }
-        Some(vec![0.0; impulse.len()])
+            Operator::Bodies(bodies) => return bodies.free.add_doubled(impulse, sums),
+        };
+        let (stored, mut off, mut terms) = (self.of_contacts(), vec![0.0; impulse.len()], vec![0; impulse.len() / rows]);
+        stored.write_terms(&mut terms);
+        stored.add_magnitudes(impulse, &mut off);
+        off.iter_mut().enumerate().for_each(|(row, off)| *off *= row_rounding(terms[row / rows]).powi(2));
+        Some(off)
     }
 }
 
 impl MatrixFree {
     /// [`Operator::add_doubled`] of bodies.
-    pub(crate) fn add_doubled(&self, impulse: &[f64], gamma_of: &[f64], sums: &mut DoubledResiduals<f64>) -> Option<Vec<f64>> {
+    pub(crate) fn add_doubled(&self, impulse: &[f64], sums: &mut DoubledResiduals<f64>) -> Option<Vec<f64>> {
         let (jacobian, d) = (self.jacobian(), self.rows_per_contact());
         let size = jacobian.velocity_count();
         let (mut pushed, mut terms) = (DoubledResiduals::new(&vec![0.0; size]), vec![0.0; size]);
@@ -57,7 +63,7 @@ impl MatrixFree {
         // a row sums as many products as the parts of its velocities are
         let velocities = |k: usize| jacobian.bodies(k).iter().map(|body| jacobian.velocities(*body as usize).len()).sum::<usize>();
         let most = (0..jacobian.contacts()).map(velocities).max().unwrap_or(0);
-        let part = gamma_of.iter().copied().fold(gamma(PARTS * most + 8), f64::max).powi(2);
+        let part = self.most_rounding().max(gamma(PARTS * most + 8)).powi(2);
         let (mut velocity, mut doubt) = (vec![[0.0; PARTS]; size], vec![0.0; size]);
         for body in 0..jacobian.body_count() {
             let range = jacobian.velocities(body);
@@ -137,12 +143,12 @@ mod tests {
             let given: Vec<f64> = whole.iter().map(|u| -Scalar::to_f64(u)).collect();
             let mut sums = DoubledResiduals::new(&given);
             let gamma = crate::tolerance::certificate::row_rounding(3);
-            let off = operator.add_doubled(&impulse, &[gamma; 3], &mut sums).unwrap();
+            let off = operator.add_doubled(&impulse, &mut sums).unwrap();
             for (row, found) in sums.values().into_iter().enumerate() {
                 let expected: f64 = Scalar::to_f64(&(whole[row].clone() + exact(given[row])));
                 let terms: Rational =
                     (0..3).fold(Rational::ZERO, |sum, j| sum + Scalar::magnitude(&(w[(row, j)].clone() * exact(impulse[j]))));
-                let bound = f64::EPSILON * expected.abs() + gamma * gamma * Scalar::to_f64(&terms) + off[row];
+                let bound = f64::EPSILON * expected.abs() + gamma * gamma * given[row].abs() + off[row];
                 assert!((found - expected).abs() <= bound, "{row}: {found} {expected} {bound}");
                 assert!(bound < 1e-3 * f64::EPSILON * Scalar::to_f64(&terms), "{row}: {bound} tells nothing");
             }

@@ -12,7 +12,7 @@ use super::mass_block::Factor;
 use super::slot::{Slot, slots};
 use super::{BlockRows, BlockSparse, ContactOperator, lost_digits};
 use crate::memory;
-use crate::tolerance::certificate::VELOCITIES;
+use crate::tolerance::certificate::{VELOCITIES, row_rounding};
 use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DMatrixView};
@@ -34,8 +34,10 @@ pub struct MatrixFree {
     inverse: Vec<f64>,
     /// W_kk, column by column \[1/kg\].
     diagonal: Vec<f64>,
-    /// Of every contact, [`ContactOperator::write_terms`].
+    /// Of every contact, [`ContactOperator::write_terms`] without what the masses lose.
     terms: Vec<usize>,
+    /// What the masses of its bodies lose when they are factored, in terms.
+    lost: Vec<usize>,
 }
 
 impl MatrixFree {
@@ -78,7 +80,7 @@ impl MatrixFree {
             return Err(Error::invalid("jacobian", format!("has the entry {entry}"), "use finite numbers"));
         }
         let rows = jacobian.rows_per_contact();
-        let terms = terms(&jacobian, &cancelling(masses, &factors));
+        let (terms, lost) = (terms(&jacobian), lost(&jacobian, &cancelling(masses, &factors)));
         let mut made = MatrixFree {
             masses: kept,
             mass_starts,
@@ -87,6 +89,7 @@ impl MatrixFree {
             inverse: vec![1.0; jacobian.velocity_count()],
             diagonal: Vec::new(),
             terms,
+            lost,
             jacobian,
         };
         if factors.iter().all(Factor::is_symmetric) {
@@ -286,6 +289,11 @@ impl MatrixFree {
         Ok(most)
     }
 
+    /// γ of the row with most terms, of masses as they are given: nothing that factors lose.
+    pub(super) fn most_rounding(&self) -> f64 {
+        row_rounding(self.terms.iter().copied().max().unwrap_or(0))
+    }
+
     /// The contacts of every body, growing.
     pub(crate) fn members(&self) -> Vec<Vec<u32>> {
         let mut members = vec![Vec::new(); self.jacobian.body_count()];
@@ -312,9 +320,15 @@ fn cancelling(masses: &[DMatrix<f64>], factors: &[Factor]) -> Vec<usize> {
     masses.iter().zip(factors).map(|(mass, factor)| lost_digits::terms(mass, factor)).collect()
 }
 
+/// The most of any body that a contact touches.
+fn lost(jacobian: &BlockRows, cancelling: &[usize]) -> Vec<usize> {
+    let of = |k: usize| jacobian.bodies(k).iter().map(|body| cancelling[*body as usize]).max().unwrap_or(0);
+    (0..jacobian.contacts()).map(of).collect()
+}
+
 /// Of every contact the rows of the contacts that touch one of its bodies, each contact once where none touches more than two bodies, and
-/// what velocities beyond those of two bodies in space round, and a mass that is nearly singular.
-fn terms(jacobian: &BlockRows, cancelling: &[usize]) -> Vec<usize> {
+/// what velocities beyond those of two bodies in space round.
+fn terms(jacobian: &BlockRows) -> Vec<usize> {
     let (mut touching, mut both) = (vec![0; jacobian.body_count()], HashMap::<[u32; 2], usize>::new());
     for k in 0..jacobian.contacts() {
         let bodies = jacobian.bodies(k);
@@ -328,8 +342,7 @@ fn terms(jacobian: &BlockRows, cancelling: &[usize]) -> Vec<usize> {
         let twice = bodies.try_into().ok().and_then(|pair: [u32; 2]| both.get(&pair)).copied().unwrap_or(0);
         let joined = bodies.iter().map(|body| touching[*body as usize]).sum::<usize>() - twice;
         let velocities: usize = bodies.iter().map(|body| jacobian.velocities(*body as usize).len()).sum();
-        let lost = bodies.iter().map(|body| cancelling[*body as usize]).max().unwrap_or(0);
-        jacobian.rows_per_contact() * joined.max(1) + velocities.saturating_sub(VELOCITIES).div_ceil(4) + lost
+        jacobian.rows_per_contact() * joined.max(1) + velocities.saturating_sub(VELOCITIES).div_ceil(4)
     };
     (0..jacobian.contacts()).map(of).collect()
 }
@@ -363,7 +376,7 @@ impl ContactOperator for MatrixFree {
     }
 
     fn write_terms(&self, terms: &mut [usize]) {
-        terms.copy_from_slice(&self.terms);
+        terms.iter_mut().zip(self.terms.iter().zip(&self.lost)).for_each(|(all, (terms, lost))| *all = terms.saturating_add(*lost));
     }
 }
 

@@ -32,13 +32,13 @@ impl Made {
 }
 
 impl ContactProblem {
-    /// Adds W r of twice the digits, of W as it was given or of what it was formed of, with a bound of what that is off by beside the
-    /// rounding of the sums, row by row \[m/s\]; `None` where neither is known. γ is that of the rows.
-    pub(crate) fn add_doubled(&self, impulse: &[f64], gamma: &[f64], sums: &mut DoubledResiduals<f64>) -> Option<Vec<f64>> {
+    /// Adds W r of twice the digits, of W as it was given or of what it was formed of, with a bound of what that is off by beside ε of the
+    /// sums, row by row \[m/s\]; `None` where neither is known.
+    pub(crate) fn add_doubled(&self, impulse: &[f64], sums: &mut DoubledResiduals<f64>) -> Option<Vec<f64>> {
         if self.knows_rows() && self.delassus().matrix_free().is_none() {
-            self.unformed()?.add_doubled(impulse, gamma, sums)
+            self.unformed()?.add_doubled(impulse, sums)
         } else {
-            self.delassus().add_doubled(impulse, gamma, sums)
+            self.delassus().add_doubled(impulse, sums)
         }
     }
 
@@ -46,7 +46,7 @@ impl ContactProblem {
     #[cfg(feature = "files")]
     pub(crate) fn doubled_velocity(&self, impulse: &DVector<f64>) -> DVector<f64> {
         let mut sums = DoubledResiduals::new(self.free_velocity().as_slice());
-        match self.add_doubled(impulse.as_slice(), self.rounding(), &mut sums) {
+        match self.add_doubled(impulse.as_slice(), &mut sums) {
             Some(_) => DVector::from_vec(sums.values()),
             None => self.velocity(impulse),
         }
@@ -60,8 +60,7 @@ impl JointedProblem {
         let mut sums = DoubledResiduals::new(self.free_velocity().as_slice());
         match self.dynamics().map(Made::of) {
             Some(Made { unformed: Some(free), .. }) => {
-                // a bound of γ is not asked for
-                if free.add_doubled(impulse.as_slice(), &vec![0.0; self.rows()], &mut sums).is_none() {
+                if free.add_doubled(impulse.as_slice(), &mut sums).is_none() {
                     return self.velocity(impulse);
                 }
             }

@@ -57,6 +57,11 @@ pub const JAMMED: f64 = 1e3;
 /// Required: of every answer that is accepted, by the users of the certificate.
 pub const HIDDEN: f64 = 1e-5;
 
+/// Part of the largest velocity in the data by which a W that was formed may be off before y is computed from what it was formed of: what
+/// an answer is held to by default, [`CERTIFY`].
+/// Derived.
+pub const OFF_BY_FORMING: f64 = CERTIFY;
+
 /// √ε. Two contacts are coupled if an entry of W between them is larger than this, relative to the entries on the diagonal. Below it the
 /// product of the motions of two impulses is rounding.
 /// Derived.
