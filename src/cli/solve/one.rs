@@ -80,9 +80,7 @@ impl Answered {
         let certificate = posed::certificate(&self.problem, &self.solution, self.residuals, tolerance).with_ending(self.ending.clone());
         let certificate = if self.is_lcp { certificate.without_units() } else { certificate };
         let believed = certificate.accepts() && !posed::is_doubtful(&self.residuals);
-        // a time that is over is not spent on what is refused anyway
-        let over = !certificate.accepts() && !self.ending.reproducible;
-        if believed || over { certificate } else { certificate.with_no_solution(posed::refuted(&self.problem)) }
+        if believed { certificate } else { certificate.with_no_solution(posed::refuted(&self.problem)) }
     }
 
     /// The largest relative residual.

@@ -380,7 +380,7 @@ fn rows_whose_terms_cancel_are_judged_by_mass_and_jacobian() {
     assert!(right.iter().all(|count| *count > 100) && wrong.iter().all(|count| *count > 200), "{right:?} {wrong:?}");
 }
 
-/// M = [[1, 1 − 2⁻³⁴], [1 − 2⁻³⁴, 1]], H = [1 1], q = −1: W is nearly a half of 2, whatever M loses, and the answer solves it to the last bit.
+/// M = [[1, 1 − 2⁻³⁴], [1 − 2⁻³⁴, 1]], H = [1 1], q = −1: W is nearly 1, whatever M loses, and the answer solves it to the last bit.
 #[test]
 fn an_exact_answer_to_a_nearly_singular_mass_is_accepted() {
     for power in (20..=44).step_by(2) {

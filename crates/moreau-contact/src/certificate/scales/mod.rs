@@ -32,6 +32,8 @@
 //!
 //! `DIFFERENCE` One ρ = rows/tr(W_kk) for a whole contact would accept a normal velocity that is wrong by W_tt/W_nn times τ.
 
+mod sharp;
+
 use super::groups;
 use super::joint_scales::Joints;
 use super::part::Part;
@@ -39,9 +41,7 @@ use crate::cones::polyhedral::direction;
 use crate::cones::second_order::{length, tangential_norm};
 use crate::memory::spare;
 use crate::problem::{ContactProblem, Law, Weights};
-use crate::tolerance::certificate::{HIDDEN, JAMMED, OFF_BY_FORMING, PROJECTED, row_rounding};
-use moreau_exact::doubled::DoubledResiduals;
-use moreau_exact::tolerance::EPSILON;
+use crate::tolerance::certificate::{HIDDEN, JAMMED, PROJECTED, row_rounding};
 
 /// Entries of the largest block of a contact, of six rows.
 const MOST_ENTRIES: usize = 36;
@@ -189,8 +189,11 @@ impl Scales {
         self.stored.clear();
         let gammas = problem.rounding();
         self.floors.iter_mut().zip(gammas).for_each(|(floor, gamma)| *floor *= gamma);
-        self.reach =
-            if problem.knows_rows() { self.contacts.iter().zip(impulse.chunks(problem.rows_per_contact())).map(reach).sum() } else { 0.0 };
+        self.reach = if problem.knows_rows() {
+            self.contacts.iter().zip(impulse.chunks(problem.rows_per_contact())).map(sharp::reach).sum()
+        } else {
+            0.0
+        };
         self.unrounded.clear();
         let (free, shift) = (problem.free_velocity().as_slice(), problem.shift().as_slice());
         if shift.iter().any(|shift| *shift != 0.0) {
@@ -275,76 +278,6 @@ impl Scales {
         let lost = |row: usize| self.unrounded.get(contact * ROWS + row).copied().unwrap_or(0.0);
         let rounded: [f64; ROWS] = std::array::from_fn(|row| floors[row] - lost(row));
         rounded[0].max(tangential_norm(&rounded))
-    }
-
-    /// Whether forming W of mass and Jacobian may have moved y of some contact: where rows are nearly orthogonal in M⁻¹ the terms of W_ij
-    /// cancel, and what it is off by, γ √(W_ii W_jj), is not among the terms of the floor.
-    ///
-    /// ```text
-    ///     γ_i √W_ii Σ_j √W_jj |r_j|  >  10⁻⁸ V                                                                    [m/s]
-    /// ```
-    pub fn is_made_doubtful(&self, problem: &ContactProblem) -> bool {
-        self.reach != 0.0 && (0..self.contacts.len()).any(|k| self.made_rounding(problem, k) * HIDDEN > self.hidden(k) * OFF_BY_FORMING)
-    }
-
-    /// γ_i √W_ii Σ_j √W_jj |r_j|.
-    fn made_rounding(&self, problem: &ContactProblem, contact: usize) -> f64 {
-        let most = |weights: [f64; 2]| (1.0 / weights[0].min(0.5 * weights[1])).sqrt();
-        problem.rounding()[contact * problem.rows_per_contact()] * most(self.contacts[contact].weights) * self.reach
-    }
-
-    /// Puts y of doubled precision to all rows, and its rounding to those of the contacts of which rounding hides too much.
-    ///
-    /// ```text
-    ///     floor = ε|y| + γ² (Σ_j |W_kj||r_j| + |u_free| + |shift| + R_k|r_k|)                                        [m/s]
-    /// ```
-    #[cold]
-    pub fn sharpen(&mut self, problem: &ContactProblem, impulse: &[f64], joints: Option<&Joints>, law_velocity: &mut [f64]) {
-        let of_joints = |joints: &Joints| Some(joints.sharp_of_contacts());
-        let Some([sharp, floors]) = joints.map_or_else(|| self.sharp(problem, impulse), of_joints) else { return };
-        let rows = problem.rows_per_contact();
-        law_velocity.copy_from_slice(&sharp);
-        self.stored.extend_from_slice(&self.floors);
-        for k in 0..problem.contacts() {
-            let own = k * rows..(k + 1) * rows;
-            let lost = |row: usize| self.unrounded.get(row).copied().unwrap_or(0.0);
-            let rounded: Vec<f64> = own.clone().map(|row| self.floors[row] - lost(row)).collect();
-            let is_certain = rounded[0].max(tangential_norm(&rounded)) <= self.hidden(k);
-            let made = self.made_rounding(problem, k);
-            for row in own {
-                // u itself is one double, and a sum of them
-                let stored = at_least(self.floors[row], made);
-                self.stored[row] = at_least(at_most(self.hidden(k), stored), floors[row]);
-                if !is_certain {
-                    self.floors[row] = floors[row];
-                    self.unrounded.get_mut(row).into_iter().for_each(|lost| *lost = 0.0);
-                }
-            }
-        }
-    }
-
-    /// y of doubled precision and its rounding, of W as it was given, or of the mass and Jacobian that it was formed of: then its entries
-    /// are rounded themselves, by as much as the sum is. `None` where that is not known.
-    fn sharp(&self, problem: &ContactProblem, impulse: &[f64]) -> Option<[Vec<f64>; 2]> {
-        let softness = problem.row_compliances();
-        let (free, shift) = (problem.free_velocity().as_slice(), problem.shift().as_slice());
-        let mut sums = DoubledResiduals::new(free);
-        for (row, (shift, r)) in shift.iter().zip(impulse).enumerate() {
-            sums.subtract_unit(row, &-shift);
-            softness.into_iter().for_each(|softness| sums.subtract_from(row, &softness[row..=row], &-r));
-        }
-        let off = problem.add_doubled(impulse, &mut sums)?;
-        let sharp = sums.values();
-        // u_free, shift and R r are three more terms of these sums
-        let few = row_rounding(1).powi(2);
-        let data = |row: usize| free[row].abs() + shift[row].abs() + softness.map_or(0.0, |softness| softness[row] * impulse[row].abs());
-        let floors = (0..sharp.len()).map(|row| EPSILON * sharp[row].abs() + few * data(row) + off[row]).collect();
-        Some([sharp, floors])
-    }
-
-    /// Whether y has twice the digits somewhere.
-    pub fn is_sharp(&self) -> bool {
-        !self.stored.is_empty()
     }
 
     /// What a stored u may be off by, row by row \[m/s\].
@@ -474,13 +407,6 @@ pub(super) fn at_most(number: f64, other: f64) -> f64 {
 }
 
 /// count/trace, infinite if the trace is not positive.
-/// √W_jj |r_j| of the rows of a contact, or more.
-fn reach((known, impulse): (&Known, &[f64])) -> f64 {
-    let [normal, tangential] = known.weights;
-    impulse[0].abs() / normal.sqrt() + tangential_norm(impulse) * (2.0 / tangential).sqrt()
-}
-
-/// count/trace, infinite where the trace is none.
 fn inverse(count: f64, trace: f64) -> f64 {
     if trace > 0.0 { count / trace } else { f64::INFINITY }
 }
