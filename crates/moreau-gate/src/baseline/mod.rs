@@ -427,5 +427,4 @@ fn badness(measurement: &Measurement, value: f64) -> f64 {
 }
 
 #[cfg(test)]
-#[path = "baseline_tests.rs"]
 mod tests;
