@@ -199,17 +199,16 @@ mod tests {
 
     #[test]
     fn of_several_files_the_longest_that_has_the_samples_answers_in_any_order() {
-        let (mut whole, scene) = (stored(), stored().scene);
-        // a mistake that the short ones do not have
-        whole.bodies[0].position[8][1] = 7.0;
-        let parts = [part(&whole, 4, 1), part(&whole, 4, 2), whole.clone()];
+        let (right, mut whole, scene) = (stored(), stored(), stored().scene);
+        // a mistake that the others do not have
+        whole.bodies[0].position[4][1] = 7.0;
+        let parts = [part(&right, 4, 1), part(&right, 4, 2), whole];
         for order in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
             let mut library = all_of(order.map(|k| parts[k].clone()).to_vec());
             for (every, duration) in [(1, 1.0), (4, 1.0), (1, 0.5)] {
                 let asked = Scene { duration, ..scene.clone() };
                 let answer = library.simulate(&asked, 0.125, every, &Options::new()).unwrap_or_else(|told| panic!("{order:?}: {told}"));
-                let last = (8.0 * duration) as usize;
-                assert_eq!(answer.bodies[0].position.last(), Some(&whole.bodies[0].position[last]), "{order:?}");
+                assert!(answer.bodies[0].position.iter().any(|place| place[1] == 7.0), "{order:?}: every {every}, {duration} s");
             }
             // one that is longer but has too few samples is no answer, and hides none
             let mut library = all_of(order.map(|k| [parts[0].clone(), parts[1].clone(), parts[0].clone()][k].clone()).to_vec());
