@@ -192,3 +192,74 @@ fn stored_trajectories_are_judged_like_a_program() {
     assert_eq!(run.code, 0, "{}{}", run.output, run.message);
     assert!(run.output.contains("pass        flight/projectile") && run.output.contains("pass        trajectory/answer"), "{}", run.output);
 }
+
+/// The motion of the first of the scenes that a check asks for, as a file.
+fn answered(folder: &Folder, check: &str, step: &str, duration: &[&str]) -> String {
+    let scenes = folder.path("scenes");
+    let run = moreau(&["gate", "--only", check, "--steps", step, "--write-scenes", &scenes]);
+    assert_eq!(run.code, 0, "{}", run.message);
+    let scene = folder.path(&format!("scenes/{}", requests(&scenes)[0].file));
+    let answer = folder.path(if duration.is_empty() { "answer.json" } else { "short.json" });
+    let run = moreau(&[&["simulate", "--scene", &scene, "--step", step, "--out", &answer], duration].concat());
+    assert_eq!(run.code, 0, "{}", run.message);
+    answer
+}
+
+#[test]
+fn what_is_not_judged_by_files_has_no_scenes_to_write() {
+    let folder = Folder::new("gate-no-scenes");
+    let scenes = folder.path("scenes");
+    let write = |words: &[&str]| moreau(&[&["gate", "--write-scenes", &scenes, "--steps", "10"], words].concat());
+    for words in [&["--solver"][..], &["--projection"], &["--only", "solver/,projection/"], &["--solver", "--only", "ball/"]] {
+        write(words).is_refused(&["`--write-scenes`", "no scene to write", "not judged by files", "`moreau gate --solver -- COMMAND`"]);
+        assert!(folder.names().is_empty(), "{words:?}: {:?}", folder.names());
+    }
+    write(&["--only", "ball/", "--skip", "ball/"]).is_refused(&["`--only`", "selects no check"]);
+    write(&["--only", "incline/slide"]).is_refused(&["no scene to write", "take shorter ones with `--steps`"]);
+}
+
+#[test]
+fn a_longer_motion_beside_a_short_one_answers_in_any_order() {
+    let folder = Folder::new("gate-two-lengths");
+    let [whole, short] = [&[][..], &["--duration", "0.02"]].map(|duration| answered(&folder, "flight/projectile", "0.01", duration));
+    for files in [[&whole, &short], [&short, &whole]] {
+        let run = moreau(&["gate", "--only", "flight/projectile", "--steps", "0.01", "--trajectory", files[0], files[1]]);
+        assert!(run.code == 0 && run.output.contains("pass        flight/projectile"), "{files:?}: {}{}", run.output, run.message);
+    }
+}
+
+#[test]
+fn a_check_that_was_asked_for_and_has_no_motion_is_shown_and_counts_for_what_is_required() {
+    let folder = Folder::new("gate-unanswered");
+    let answer = answered(&folder, "flight/projectile", "0.01", &[]);
+    let gate = |only: &[&str], more: &[&str]| moreau(&[&["gate", "--steps", "0.01"], only, more, &["--trajectory", &answer]].concat());
+    let run = gate(&["--only", "flight/projectile,ball/energy"], &["--require", "100"]);
+    assert!(run.output.contains("unsupported ball/energy") && run.output.contains("no stored trajectory"), "{}", run.output);
+    assert!(run.code == 1 && run.message.contains("2 of 3 checks were answered"), "{}", run.message);
+    let json = gate(&["--only", "ball/energy"], &["--format", "json"]).json();
+    let told = |k: usize| [&json["report"]["checks"][k]["check"], &json["report"]["checks"][k]["verdict"]].map(|word| word.as_str());
+    assert_eq!([told(0), told(1)], [[Some("ball/energy"), Some("unsupported")], [Some("trajectory/answer"), Some("pass")]]);
+    assert!(!gate(&[], &[]).output.contains("unsupported "), "what nobody asked for is left out");
+    assert_eq!(gate(&[], &["--require", "50"]).code, 1, "of all checks of motions");
+}
+
+#[test]
+fn a_baseline_of_stored_motions_is_met_by_them_and_misses_those_that_are_gone() {
+    let folder = Folder::new("gate-stored-baseline");
+    let baseline = folder.path("b.toml");
+    let [whole, short] = [&[][..], &["--duration", "0.02"]].map(|duration| answered(&folder, "flight/projectile", "0.01", duration));
+    for only in [&["--only", "flight/projectile"][..], &[]] {
+        let gate = |more: &[&str]| moreau(&[&["gate", "--steps", "0.01"], only, more].concat());
+        let run = gate(&["--save-baseline", &baseline, "--trajectory", &whole]);
+        assert_eq!(run.code, 0, "{}{}", run.output, run.message);
+        let run = gate(&["--baseline", &baseline, "--trajectory", &whole]);
+        assert!(run.code == 0 && run.output.contains("As the baseline."), "{}{}", run.output, run.message);
+        let run = gate(&["--baseline", &baseline, "--trajectory", &short]);
+        let said = run.output.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(run.code == 1 && said.contains("flight/projectile: unsupported instead of pass"), "{said}");
+        assert!(
+            said.contains("trajectory/answer: is in the baseline, but no file `answer` is judged: give it to `--trajectory`"),
+            "{said}"
+        );
+    }
+}

@@ -18,6 +18,9 @@ use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::trajectory::Trajectory;
 use nalgebra::{DVector, Quaternion, UnitQuaternion, Vector3};
 
+/// What the names of audits begin with in a report; the name of the file follows.
+pub const AUDITS: &str = "trajectory/";
+
 /// The audit of one trajectory under a name.
 pub fn audit(name: &str, trajectory: &Trajectory, description: &Description) -> CheckOutcome {
     CheckOutcome::new(name, vec![StepOutcome::new(Some(trajectory.time_step), measurements(trajectory, description))])

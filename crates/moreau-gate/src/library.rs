@@ -1,7 +1,8 @@
 //! Stored trajectories as an engine: a simulator that cannot be started here is judged by the files it left.
 //!
 //! A request is answered by the file with the same scene – gravity, ground, bodies, material; names and descriptions of scenes do not
-//! matter – and the same time step, if it has the samples that are asked for.
+//! matter – and the same time step, if it has the samples that are asked for. Of several files the longest one that has them answers,
+//! and of those that are equally long the one with the most samples; two that differ only in their motions answer nothing.
 
 use crate::tolerance::SAME_TIME;
 use crate::{Description, Engine, Options, Refusal, Reply};
@@ -72,23 +73,38 @@ impl Engine for Library {
     }
 
     fn simulate(&mut self, scene: &Scene, time_step: f64, sample_every: usize, _options: &Options) -> Reply<Trajectory> {
-        let stored = self.trajectories.iter().find(|stored| same_step(stored, time_step) && same_scene(&stored.scene, scene));
-        let stored = stored.ok_or_else(|| {
+        let is_of = |stored: &&Trajectory| same_step(stored, time_step) && same_scene(&stored.scene, scene);
+        let mut matching: Vec<&Trajectory> = self.trajectories.iter().filter(is_of).collect();
+        matching.sort_by(|one, other| length(other).partial_cmp(&length(one)).unwrap_or(std::cmp::Ordering::Equal));
+        let longest = matching.first().ok_or_else(|| {
             Refusal::unsupported(format!(
                 "no stored trajectory of the scene `{}` at h = {time_step} s (see `moreau gate --write-scenes`)",
                 scene.name
             ))
         })?;
         let steps = (scene.duration / time_step).round() as usize;
-        resampled(stored, scene, time_step, steps, sample_every).ok_or_else(|| {
+        let answer_of =
+            |stored: &&Trajectory| resampled(stored, scene, time_step, steps, sample_every).map(|answer| (length(stored), answer));
+        let mut answers = matching.iter().filter_map(answer_of);
+        let (chosen, answer) = answers.next().ok_or_else(|| {
             Refusal::unsupported(format!(
                 "the stored trajectory of `{}` lacks samples: every {sample_every} steps up to {} s; its last one is at {} s",
                 scene.name,
                 scene.duration,
-                stored.times.last().copied().unwrap_or_default()
+                length(longest).0
             ))
-        })
+        })?;
+        if answers.any(|(other, of_other)| other == chosen && of_other.bodies != answer.bodies) {
+            let problem = format!("two stored trajectories of the scene `{}` at h = {time_step} s are equally long and differ", scene.name);
+            return Err(Refusal::errored(format!("{problem}: give one of them")));
+        }
+        Ok(answer)
     }
+}
+
+/// How long a motion is, \[s\], and how many samples it has.
+fn length(stored: &Trajectory) -> (f64, usize) {
+    (stored.times.last().copied().unwrap_or_default(), stored.times.len())
 }
 
 fn same_step(stored: &Trajectory, time_step: f64) -> bool {
@@ -168,7 +184,48 @@ mod tests {
     }
 
     fn of(stored: Trajectory) -> Library {
-        Library { description: undeclared(&stored, std::slice::from_ref(&stored)), trajectories: Arc::new(vec![stored]) }
+        all_of(vec![stored])
+    }
+
+    fn all_of(stored: Vec<Trajectory>) -> Library {
+        Library { description: undeclared(&stored[0], &stored), trajectories: Arc::new(stored) }
+    }
+
+    /// The first samples of a motion, or every other one.
+    fn part(whole: &Trajectory, count: usize, every: usize) -> Trajectory {
+        let scene = Scene { duration: 0.125 * (count * every) as f64, ..whole.scene.clone() };
+        resampled(whole, &scene, 0.125, count * every, every).expect("it has them")
+    }
+
+    #[test]
+    fn of_several_files_the_longest_that_has_the_samples_answers_in_any_order() {
+        let (right, mut whole, scene) = (stored(), stored(), stored().scene);
+        // a mistake that the others do not have
+        whole.bodies[0].position[4][1] = 7.0;
+        let parts = [part(&right, 4, 1), part(&right, 4, 2), whole];
+        for order in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
+            let mut library = all_of(order.map(|k| parts[k].clone()).to_vec());
+            for (every, duration) in [(1, 1.0), (4, 1.0), (1, 0.5)] {
+                let asked = Scene { duration, ..scene.clone() };
+                let answer = library.simulate(&asked, 0.125, every, &Options::new()).unwrap_or_else(|told| panic!("{order:?}: {told}"));
+                assert!(answer.bodies[0].position.iter().any(|place| place[1] == 7.0), "{order:?}: every {every}, {duration} s");
+            }
+            // one that is longer but has too few samples is no answer, and hides none
+            let mut library = all_of(order.map(|k| [parts[0].clone(), parts[1].clone(), parts[0].clone()][k].clone()).to_vec());
+            assert!(library.simulate(&Scene { duration: 0.5, ..scene.clone() }, 0.125, 1, &Options::new()).is_ok(), "{order:?}");
+        }
+    }
+
+    #[test]
+    fn two_files_that_are_equally_long_and_differ_answer_nothing_in_any_order() {
+        let (right, mut wrong) = (stored(), stored());
+        wrong.bodies[0].position[8][1] = 7.0;
+        for pair in [vec![right.clone(), wrong.clone()], vec![wrong, right.clone()]] {
+            let told = all_of(pair).simulate(&right.scene, 0.125, 1, &Options::new()).expect_err("which one?").to_string();
+            assert!(told.contains("equally long and differ: give one of them"), "{told}");
+        }
+        let twice = all_of(vec![right.clone(), right.clone()]).simulate(&right.scene, 0.125, 1, &Options::new());
+        assert!(twice.is_ok(), "the same file twice");
     }
 
     #[test]

@@ -51,7 +51,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     subject::require_motions(arguments)?;
     arguments.keep_files()?;
     let required = required(arguments.require)?;
-    let baseline = arguments.baseline.as_deref().map(|file| baseline(file, &sweep, &checks)).transpose()?;
+    let baseline = arguments.baseline.as_deref().map(|file| baseline(arguments, file, &sweep, &checks)).transpose()?;
     let bar = progress();
     let today = Zoned::now().date();
     let plan = Plan {
@@ -89,7 +89,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let Watched { times, written } = watched.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
     written?;
     let report = match answer {
-        Ok(report) => Report { adapter, ..subject::audited(arguments, report)? },
+        Ok(report) => Report { adapter, ..subject::audited(arguments, report, baseline.as_ref())? },
         Err(refusal) => return cannot_run(&refusal),
     };
     for note in baseline.iter().flat_map(|baseline| baseline.notes(&report)) {
@@ -106,9 +106,10 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
 }
 
 /// The baseline, if there is something in it to be compared with.
-fn baseline(file: &Path, sweep: &[f64], checks: &[&Check]) -> Result<Baseline> {
+fn baseline(arguments: &Arguments, file: &Path, sweep: &[f64], checks: &[&Check]) -> Result<Baseline> {
     let baseline = Baseline::read(file)?;
-    let names: Vec<&str> = checks.iter().map(|check| check.name).collect();
+    let audits: Vec<String> = arguments.trajectory.iter().map(|file| subject::audit_name(file)).collect();
+    let names: Vec<&str> = checks.iter().map(|check| check.name).chain(audits.iter().map(String::as_str)).collect();
     baseline.require_run(sweep, &names).map_err(|error| error.in_file(file))?;
     Ok(baseline)
 }

@@ -28,6 +28,9 @@ struct Request {
 }
 
 /// Writes every scene that the checks ask for as a scene/1, once for each time step, and `index.json` with h and `sample_every` of each.
+///
+/// # Errors
+/// [`Error::Invalid`] where they ask for none, as at time steps that are longer than their motions.
 pub fn write(folder: &Path, checks: &[&'static Check], sweep: &[f64]) -> Result<Answer> {
     make_folder("--write-scenes", folder)?;
     let asked = Arc::new(Mutex::new(Vec::new()));
@@ -46,6 +49,10 @@ pub fn write(folder: &Path, checks: &[&'static Check], sweep: &[f64]) -> Result<
         if !distinct.contains(&request) {
             distinct.push(request);
         }
+    }
+    if distinct.is_empty() {
+        let problem = "has no scene to write: at these time steps the checks ask for no motion";
+        return Err(Error::invalid("--write-scenes", problem, "take shorter ones with `--steps`"));
     }
     let mut index = Vec::new();
     for (k, (scene, time_step, sample_every)) in distinct.into_iter().enumerate() {

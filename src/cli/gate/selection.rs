@@ -14,18 +14,23 @@ pub fn checks(arguments: &Arguments) -> Result<Vec<&'static Check>> {
             return Err(Error::Unsupported(format!("no check contains `{name}`; {cure}")));
         }
     }
+    let is_of_files = !arguments.trajectory.is_empty() || arguments.write_scenes.is_some();
     let level = match (arguments.solver, arguments.projection) {
         (true, _) => Some(Level::Solve),
         (_, true) => Some(Level::Project),
-        _ if !arguments.trajectory.is_empty() => Some(Level::Simulate),
+        _ if is_of_files => Some(Level::Simulate),
         _ => None,
     };
     let named = |list: &[String], check: &Check| list.iter().any(|name| check.name.contains(name.as_str()));
-    let selected: Vec<_> = checks::all()
-        .filter(|check| level.is_none_or(|level| check.level == level))
-        .filter(|check| arguments.only.is_empty() || named(&arguments.only, check))
-        .filter(|check| !named(&arguments.skip, check))
-        .collect();
+    let is_chosen = |check: &Check| (arguments.only.is_empty() || named(&arguments.only, check)) && !named(&arguments.skip, check);
+    let chosen: Vec<_> = checks::all().filter(|check| is_chosen(check)).collect();
+    let selected: Vec<_> = chosen.iter().copied().filter(|check| level.is_none_or(|level| check.level == level)).collect();
+    let is_of_motions = selected.iter().any(|check| check.level == Level::Simulate);
+    if arguments.write_scenes.is_some() && !chosen.is_empty() && !is_of_motions {
+        let problem = "has no scene to write: contact solvers and cone projections are not judged by files";
+        let cure = "judge them as a program, `moreau gate --solver -- COMMAND`, or choose checks of motions with `--only`";
+        return Err(Error::invalid("--write-scenes", problem, cure));
+    }
     if selected.is_empty() {
         return Err(Error::invalid(
             "--only",

@@ -3,13 +3,15 @@
 use super::Arguments;
 use crate::cli::output::print_aside;
 use crate::cli::time_limit::of_reply;
-use crate::gate::audit::audit;
+use crate::gate::audit::{AUDITS, audit};
+use crate::gate::baseline::Baseline;
 use crate::gate::library::{Library, read_description};
 use crate::gate::process::{Limits, ProcessEngine, end_engines_on_interrupt};
 use crate::gate::{Engine, Report, Verdict};
 use crate::number::significant;
 use crate::trajectory::Trajectory;
 use crate::{Error, Result};
+use std::path::Path;
 
 /// Makes engines for the workers.
 pub fn maker(arguments: &Arguments) -> Result<Box<dyn Fn() -> Box<dyn Engine> + Sync>> {
@@ -35,14 +37,22 @@ pub fn require_motions(arguments: &Arguments) -> Result<()> {
     Err(Error::invalid("--description", "is given without --trajectory", cure))
 }
 
-/// The report of a run on stored trajectories: the checks whose scene is stored, and the audit of every file. Other checks are left out.
-pub fn audited(arguments: &Arguments, mut report: Report) -> Result<Report> {
+/// The name of the audit of a stored trajectory.
+pub fn audit_name(file: &Path) -> String {
+    format!("{AUDITS}{}", file.file_stem().unwrap_or_default().to_string_lossy())
+}
+
+/// The report of a run on stored trajectories: the checks whose scene is stored, and the audit of every file. Other checks are left out,
+/// but where `--only` or `--require` asks for them or the baseline has them.
+pub fn audited(arguments: &Arguments, mut report: Report, baseline: Option<&Baseline>) -> Result<Report> {
     if arguments.trajectory.is_empty() {
         return Ok(report);
     }
-    report.checks.retain(|check| check.verdict != Verdict::Unsupported);
+    let all_are_asked = !arguments.only.is_empty() || arguments.require.is_some();
+    let is_held = |name: &str| baseline.is_some_and(|baseline| baseline.checks.iter().any(|check| check.name == name));
+    report.checks.retain(|check| check.verdict != Verdict::Unsupported || all_are_asked || is_held(&check.check));
     for file in &arguments.trajectory {
-        let name = format!("trajectory/{}", file.file_stem().unwrap_or_default().to_string_lossy());
+        let name = audit_name(file);
         let trajectory = Trajectory::read(file)?;
         if let Some(remark) = cut(&trajectory) {
             print_aside(&format!("remark: {}: {remark}\n", file.display()));
@@ -69,6 +79,6 @@ fn cut(trajectory: &Trajectory) -> Option<String> {
     };
     let [end, duration] = [end, scene.duration].map(significant);
     Some(format!(
-        "the motion is cut, it ends at t = {end} s of {duration} s{why}; what it has is audited, and checks that need more are left out"
+        "the motion is cut, it ends at t = {end} s of {duration} s{why}; what it has is audited, and checks that need more are not answered"
     ))
 }

@@ -113,6 +113,48 @@ fn a_check_that_the_gate_no_longer_has_is_a_regression() {
 }
 
 #[test]
+fn the_audit_of_a_stored_motion_is_met_by_the_same_and_missed_where_it_is_gone() {
+    let mut stored = value(0.25, 0.0);
+    stored.checks[0].check = "trajectory/a".into();
+    let told = |now: &Report| Baseline::of(&stored).compare(now, day("2026-11-21")).expect("comparable");
+    assert_eq!(told(&stored), []);
+    let changes = told(&value(0.25, 0.0));
+    assert_eq!((changes.len(), changes[0].kind, changes[0].check.as_str()), (1, ChangeKind::Regression, "trajectory/a"), "{changes:?}");
+    assert!(changes[0].what.contains("no file `a` is judged"), "{changes:?}");
+}
+
+#[test]
+fn values_without_a_partner_are_told_and_a_check_of_which_none_has_one_is_a_regression() {
+    let at = |h: Option<f64>, quantity: &str| {
+        StepOutcome::new(h, Ok(vec![Measurement::new(quantity, "m", 0.25, Expectation::equal(0.0, 1.0, ""))]))
+    };
+    let of = |steps: Vec<StepOutcome>| Report { checks: vec![CheckOutcome::new(CHECK, steps)], ..value(0.0, 0.0) };
+    let both = of(vec![at(Some(0.5), "error"), at(Some(0.25), "error")]);
+    let compared = |then: &Report, now: &Report| {
+        let baseline = Baseline::of(then);
+        (baseline.compare(now, day("2026-11-21")).expect("comparable"), baseline.notes(now))
+    };
+    assert_eq!(compared(&both, &both), (vec![], vec![]));
+    let one = of(vec![at(Some(0.5), "error")]);
+    let (changes, notes) = compared(&one, &both);
+    assert_eq!(
+        (changes.len(), notes),
+        (0, vec![format!("{CHECK} has 1 value in the run only, compared with nothing: make a new baseline")])
+    );
+    let (changes, notes) = compared(&both, &one);
+    let told = vec![format!("{CHECK} has 1 value in the baseline only, compared with nothing: make a new baseline")];
+    assert_eq!((changes.len(), notes), (0, told));
+    for apart in [of(vec![at(Some(0.125), "error")]), of(vec![at(None, "error")])] {
+        let (changes, notes) = compared(&one, &apart);
+        assert_eq!((changes.len(), changes[0].kind, notes.len()), (1, ChangeKind::Regression, 1), "{changes:?}");
+        assert!(
+            changes[0].what.contains("none of its values has a partner") && notes[0].contains("run only and 1 value in the"),
+            "{notes:?}"
+        );
+    }
+}
+
+#[test]
 fn a_failure_of_a_check_that_the_baseline_lacks_is_a_regression() {
     let mut baseline = Baseline::of(&value(0.0, 0.0));
     baseline.checks.clear();

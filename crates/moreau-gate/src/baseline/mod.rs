@@ -7,11 +7,14 @@
 //! ```
 //! The file is TOML, made by `--save-baseline` and meant to be read, edited and committed; `known_issue` entries are written by hand.
 
+mod reading;
+
+use crate::audit::AUDITS;
 use crate::tolerance::{NEWS, SPREADS};
 use crate::{CheckOutcome, Measurement, Report, StepOutcome, Verdict};
 use jiff::civil::Date;
-use moreau_contact::files::{read_text, told, write_atomically};
-use moreau_exact::number::{significant, with_unit};
+use moreau_contact::files::write_atomically;
+use moreau_exact::number::{counted, significant, with_unit};
 use moreau_exact::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -152,31 +155,6 @@ pub enum ChangeKind {
     Improvement,
 }
 
-/// The key of the line that a place in a text stands in.
-fn key_before(text: &str, place: usize) -> Option<&str> {
-    let start = text[..place].rfind('\n').map_or(0, |end| end + 1);
-    let (key, _) = text[start..].lines().next()?.split_once('=')?;
-    Some(key.trim()).filter(|key| !key.is_empty())
-}
-
-/// The error of a file that ends within an entry, as a copy does that was broken off: what is wrong comes with the end of the text, or is
-/// missing in the last table.
-fn cut(text: &str, error: &toml::de::Error) -> Option<Error> {
-    let span = error.span()?;
-    let rest = text.get(span.end..)?;
-    let is_missing = error.message().starts_with("missing field");
-    if !(rest.trim().is_empty() || is_missing && !rest.contains("\n[")) {
-        return None;
-    }
-    let missing = if is_missing { format!(": {}", error.message()) } else { String::new() };
-    let problem = match text.lines().count() {
-        0 => "the file is empty".into(),
-        last => format!("line {last} is the last one, and ends within an entry{missing}"),
-    };
-    let cure = "take a whole copy of the file, or make a new one with `moreau gate --save-baseline FILE`";
-    Some(Error::invalid(key_before(text, span.start).unwrap_or("baseline"), problem, cure))
-}
-
 impl Baseline {
     /// The baseline of a run.
     pub fn of(report: &Report) -> Self {
@@ -199,51 +177,6 @@ impl Baseline {
         let here = |value: &&BaselineValue| value.time_step.is_none_or(|h| steps.contains(&h));
         let part = |check: &BaselineCheck| BaselineCheck { values: check.values.iter().filter(here).cloned().collect(), ..check.clone() };
         Baseline { sweep: steps.to_vec(), checks: self.checks.iter().map(part).collect(), ..self.clone() }
-    }
-
-    /// Reads a baseline.
-    ///
-    /// # Errors
-    /// [`Error::Read`], or [`Error::Invalid`] with file, line and field.
-    pub fn read(file: &Path) -> Result<Self> {
-        let text = read_text(file)?;
-        let baseline: Baseline = toml::from_str(&text).map_err(|error| {
-            let line = error.span().map_or(String::new(), |span| format!("line {}: ", 1 + text[..span.start].matches('\n').count()));
-            let (said, cure) = match told(error.message()) {
-                Some(told) => (told.problem, format!("{}, or ", told.cure)),
-                None => (error.message().into(), String::new()),
-            };
-            let problem = format!("{line}{said}");
-            if let Some(told) = cut(&text, &error) {
-                return told.in_file(file);
-            }
-            let wrong = error.span().and_then(|span| text[..span.end].lines().last()).unwrap_or("").trim_start();
-            if wrong.starts_with("expires") {
-                return Error::invalid("known_issue.expires", problem, "write the day as \"2027-01-31\"").in_file(file);
-            }
-            let field = error.span().and_then(|span| key_before(&text, span.start)).unwrap_or("baseline");
-            Error::invalid(field, problem, format!("{cure}make a new one with `moreau gate --save-baseline FILE`")).in_file(file)
-        })?;
-        if baseline.schema != SCHEMA {
-            let problem = format!("is `{}`", baseline.schema);
-            return Err(Error::invalid("schema", problem, format!("this program reads `{SCHEMA}`")).in_file(file));
-        }
-        for issue in &baseline.known_issues {
-            if let Some(problem) = issue.contradiction() {
-                let problem = format!("of `{}` {problem}: it can never hold", issue.check);
-                return Err(Error::invalid(
-                    "known_issue",
-                    problem,
-                    "bound the values from `least` up to `most`, at a positive `time_step`",
-                )
-                .in_file(file));
-            }
-            if crate::checks::find(&issue.check).is_none() {
-                let problem = format!("names the check `{}`, which does not exist", issue.check);
-                return Err(Error::invalid("known_issue", problem, "`moreau gate --list` shows every check").in_file(file));
-            }
-        }
-        Ok(baseline)
     }
 
     /// Writes the baseline, whole or not at all.
@@ -298,12 +231,9 @@ impl Baseline {
             };
             changes.extend(found.into_iter().map(|(change, values)| self.accepted(change, &values, today)));
         }
-        let unknown = self.checks.iter().filter(|check| crate::checks::find(&check.name).is_none());
-        changes.extend(unknown.map(|check| Change {
-            check: check.name.clone(),
-            kind: ChangeKind::Regression,
-            what: "is in the baseline, but this gate has no such check: make a new baseline".into(),
-        }));
+        let is_there = |check: &BaselineCheck| report.checks.iter().any(|now| now.check == check.name);
+        let unknown = self.checks.iter().filter(|check| crate::checks::find(&check.name).is_none() && !is_there(check));
+        changes.extend(unknown.map(BaselineCheck::missing));
         Ok(changes)
     }
 
@@ -329,7 +259,8 @@ impl Baseline {
         Err(Error::invalid("baseline.sweep", problem, "run with the same `--quick` or `--steps`"))
     }
 
-    /// What else differs than the engine's answers: its version, its options. Nothing that keeps a run from being compared.
+    /// What else differs than the engine's answers: its version, its options, and what else was measured. Nothing that keeps a run from
+    /// being compared.
     pub fn notes(&self, report: &Report) -> Vec<String> {
         let mut notes = Vec::new();
         let engine = &report.engine;
@@ -343,6 +274,8 @@ impl Baseline {
             let [old, new] = [then.get(name), engine.options.get(name)].map(said);
             notes.push(format!("the option {name} was {old} in the baseline and is {new} now"));
         }
+        let pairs = report.checks.iter().filter_map(|now| Some((self.checks.iter().find(|check| check.name == now.check)?, now)));
+        notes.extend(pairs.filter_map(|(then, now)| then.unmatched(now)));
         notes
     }
 
@@ -397,6 +330,32 @@ impl BaselineCheck {
         BaselineCheck { name: outcome.check.clone(), verdict: outcome.verdict, values: values.collect() }
     }
 
+    /// That a check of the baseline is none of this gate's, or one of a file that was not given.
+    fn missing(&self) -> Change {
+        let what = match self.name.strip_prefix(AUDITS) {
+            Some(file) => format!("is in the baseline, but no file `{file}` is judged: give it to `--trajectory`, or make a new baseline"),
+            None => "is in the baseline, but this gate has no such check: make a new baseline".into(),
+        };
+        Change { check: self.name.clone(), kind: ChangeKind::Regression, what }
+    }
+
+    /// The value that one of a run is compared with.
+    fn partner(&self, step: Option<f64>, one: &Measurement) -> Option<&BaselineValue> {
+        self.values.iter().find(|then| then.quantity == one.quantity && then.time_step == step)
+    }
+
+    /// That values of the run, or of the baseline at time steps that the run of this check does not have, are compared with nothing.
+    fn unmatched(&self, now: &CheckOutcome) -> Option<String> {
+        let values = now.steps.iter().flat_map(|step| step.measurements.iter().map(|one| (step.time_step, one)));
+        let new = values.filter(|(step, one)| self.partner(*step, one).is_none()).count();
+        let is_old = |then: &&BaselineValue| now.steps.iter().all(|step| step.time_step != then.time_step);
+        let old = self.values.iter().filter(is_old).count();
+        let of = |count: usize, place: &str| (count > 0).then(|| format!("{} in the {place} only", counted(count, "value")));
+        let told: Vec<String> = [of(new, "run"), of(old, "baseline")].into_iter().flatten().collect();
+        let told = told.join(" and ");
+        (!told.is_empty()).then(|| format!("{} has {told}, compared with nothing: make a new baseline", self.name))
+    }
+
     /// What changed, and the values of which it speaks.
     fn compare<'a>(&self, now: &'a CheckOutcome) -> Vec<(Change, Vec<Value<'a>>)> {
         let words = |verdict: Verdict| verdict.word();
@@ -412,16 +371,24 @@ impl BaselineCheck {
             changes.push((change(now, ChangeKind::Regression, format!("unsupported instead of {}", words(self.verdict))), Vec::new()));
         }
         for step in &now.steps {
-            let known =
-                |one: &Measurement| self.values.iter().find(|then| then.quantity == one.quantity && then.time_step == step.time_step);
-            let pairs = step.measurements.iter().filter_map(|one| known(one).map(|then| (one, then)));
+            let pairs = step.measurements.iter().filter_map(|one| Some((one, self.partner(step.time_step, one)?)));
             let told = pairs.filter_map(|(one, then)| then.compare(one).map(|(kind, what)| (change(now, kind, what), one)));
             changes.extend(told.map(|(change, one)| (change, vec![(step.time_step, one)])));
             if let Some(lost) = self.lost(step).filter(|_| !step.measurements.is_empty() || changes.is_empty()) {
                 changes.push((change(now, ChangeKind::Regression, lost), Vec::new()));
             }
         }
+        if self.is_apart(now) && changes.iter().all(|(change, _)| change.kind != ChangeKind::Regression) {
+            let what = "none of its values has a partner in the baseline: make a new baseline".into();
+            changes.push((change(now, ChangeKind::Regression, what), Vec::new()));
+        }
         changes
+    }
+
+    /// Whether both have values, of which none could be compared.
+    fn is_apart(&self, now: &CheckOutcome) -> bool {
+        let mut values = now.steps.iter().flat_map(|step| step.measurements.iter().map(|one| (step.time_step, one))).peekable();
+        !self.values.is_empty() && values.peek().is_some() && values.all(|(step, one)| self.partner(step, one).is_none())
     }
 
     /// What this time step no longer measures.
@@ -460,5 +427,4 @@ fn badness(measurement: &Measurement, value: f64) -> f64 {
 }
 
 #[cfg(test)]
-#[path = "baseline_tests.rs"]
 mod tests;
