@@ -189,11 +189,8 @@ impl Scales {
         self.stored.clear();
         let gammas = problem.rounding();
         self.floors.iter_mut().zip(gammas).for_each(|(floor, gamma)| *floor *= gamma);
-        self.reach = if problem.knows_rows() {
-            self.contacts.iter().zip(impulse.chunks(problem.rows_per_contact())).map(sharp::reach).sum()
-        } else {
-            0.0
-        };
+        self.reach =
+            if problem.knows_rows() { self.contacts.iter().zip(impulse.chunks(problem.rows_per_contact())).map(reach).sum() } else { 0.0 };
         self.unrounded.clear();
         let (free, shift) = (problem.free_velocity().as_slice(), problem.shift().as_slice());
         if shift.iter().any(|shift| *shift != 0.0) {
@@ -404,6 +401,12 @@ pub(super) fn at_least(number: f64, other: f64) -> f64 {
 #[inline(always)]
 pub(super) fn at_most(number: f64, other: f64) -> f64 {
     if other < number { other } else { number }
+}
+
+/// √W_jj |r_j| of the rows of a contact, or more.
+fn reach((known, impulse): (&Known, &[f64])) -> f64 {
+    let [normal, tangential] = known.weights;
+    impulse[0].abs() / normal.sqrt() + tangential_norm(impulse) * (2.0 / tangential).sqrt()
 }
 
 /// count/trace, infinite if the trace is not positive.

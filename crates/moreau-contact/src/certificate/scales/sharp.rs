@@ -1,7 +1,7 @@
 //! Where rounding hides too much of y, y with twice the digits.
 
 use super::super::joint_scales::Joints;
-use super::{Known, Scales, at_least, at_most};
+use super::{Scales, at_least, at_most};
 use crate::cones::second_order::tangential_norm;
 use crate::problem::ContactProblem;
 use crate::tolerance::certificate::{HIDDEN, OFF_BY_FORMING, row_rounding};
@@ -78,10 +78,4 @@ impl Scales {
     pub fn is_sharp(&self) -> bool {
         !self.stored.is_empty()
     }
-}
-
-/// √W_jj |r_j| of the rows of a contact, or more.
-pub(super) fn reach((known, impulse): (&Known, &[f64])) -> f64 {
-    let [normal, tangential] = known.weights;
-    impulse[0].abs() / normal.sqrt() + tangential_norm(impulse) * (2.0 / tangential).sqrt()
 }
