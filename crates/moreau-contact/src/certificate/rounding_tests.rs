@@ -278,8 +278,8 @@ fn where_w_was_made_of_mass_and_jacobian_they_decide() {
     assert!(accepts(&made, &right) && !accepts(&made, &wrong), "beside joints, too");
 }
 
-/// M = [[3, c], [c + s, 0.7]], c = √2.1 (1 − e), and H = (1, −½): W is of the order of 1/e, and factors of M lose 1/e of its digits. M by bodies, by
-/// rows, by lists, and beside a joint that holds a body of its own.
+/// M = [[3, c], [c + s, 0.7]], c = √2.1 (1 − e), and H = (1, −½): W is of the order of 1/e, and factors of M lose 1/e of its digits. M by
+/// bodies, by rows, by lists, and beside a joint that holds a body of its own.
 #[test]
 fn a_mass_that_is_nearly_singular_hides_what_its_factors_lose() {
     let (mut right, mut wrong) = ([0; 4], [0; 4]);
