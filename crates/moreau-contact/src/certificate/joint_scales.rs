@@ -153,7 +153,7 @@ impl<'a> Joints<'a> {
                 Some(Some(off)) => DVector::from_vec(off) + given * row_rounding(1).powi(2),
                 not_by_bodies => {
                     problem.delassus().column_iter().zip(r).for_each(|(w, r)| sums.subtract(w.clone_owned().as_slice(), &-r));
-                    if not_by_bodies.is_some() { self.floors.clone() } else { self.floors.component_mul(gammas) }
+                    if not_by_bodies.is_some() { self.floors.sup(&self.made_rounding()) } else { self.floors.component_mul(gammas) }
                 }
             };
             let y = DVector::from_vec(sums.values());
@@ -184,10 +184,14 @@ impl<'a> Joints<'a> {
 
     /// As of contacts: rows that are nearly orthogonal in M⁻¹ are off by γ_i √W_ii Σ_j √W_jj |r_j|, which no floor has among its terms.
     fn is_made_doubtful(&self) -> bool {
-        let root = |row: usize| self.problem.delassus()[(row, row)].abs().sqrt();
-        let reach: f64 = self.impulse.iter().enumerate().map(|(row, r)| root(row) * r.abs()).sum();
-        self.made.is_some()
-            && (0..self.problem.rows()).any(|row| self.hides(self.gammas[row] * root(row) * reach * HIDDEN / OFF_BY_FORMING))
+        self.made.is_some() && self.made_rounding().iter().any(|moved| self.hides(moved * HIDDEN / OFF_BY_FORMING))
+    }
+
+    /// γ_i √W_ii Σ_j √W_jj |r_j|.
+    fn made_rounding(&self) -> DVector<f64> {
+        let roots = self.problem.delassus().diagonal().map(|w| w.abs().sqrt());
+        let reach = roots.dot(&self.impulse.abs());
+        self.gammas.component_mul(&roots) * reach
     }
 
     /// Whether rounding hides more than it may of y at joint k.
@@ -226,9 +230,9 @@ impl<'a> Joints<'a> {
     /// A velocity of joint k with its scale and its floor; a floor that even with twice the digits hides more of V than it may is a
     /// residual itself.
     fn part(&self, k: usize, value: f64) -> Part {
-        let is_doubtful = self.hides_too_much(k);
-        let floor = self.norm(k, if is_doubtful { &self.sharp()[1] } else { &self.floors });
-        let value = if is_doubtful && self.hides(floor) { moreau_exact::number::larger(value, floor) } else { value };
+        let own = if self.hides_too_much(k) { 0.0 } else { self.norm(k, &self.floors) };
+        let floor = if self.is_doubtful { moreau_exact::number::larger(own, self.norm(k, &self.sharp()[1])) } else { own };
+        let value = if self.is_doubtful && self.hides(floor) { moreau_exact::number::larger(value, floor) } else { value };
         Part { value, scale: self.scale(k), floor: floor.min(self.hidden()) }
     }
 }

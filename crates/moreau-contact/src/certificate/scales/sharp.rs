@@ -33,8 +33,12 @@ impl Scales {
     #[cold]
     pub fn sharpen(&mut self, problem: &ContactProblem, impulse: &[f64], joints: Option<&Joints>, law_velocity: &mut [f64]) {
         let of_joints = |joints: &Joints| Some(joints.sharp_of_contacts());
-        let Some([sharp, floors]) = joints.map_or_else(|| self.sharp(problem, impulse), of_joints) else { return };
         let rows = problem.rows_per_contact();
+        let Some([sharp, floors]) = joints.map_or_else(|| self.sharp(problem, impulse), of_joints) else {
+            // what forming W may have moved is rounding like other, for nothing tells it apart
+            return (0..self.floors.len())
+                .for_each(|row| self.floors[row] = at_least(self.floors[row], self.made_rounding(problem, row / rows)));
+        };
         law_velocity.copy_from_slice(&sharp);
         self.stored.extend_from_slice(&self.floors);
         for k in 0..problem.contacts() {
@@ -47,8 +51,9 @@ impl Scales {
                 // u itself is one double, and a sum of them
                 let stored = at_least(self.floors[row], made);
                 self.stored[row] = at_least(at_most(self.hidden(k), stored), floors[row]);
+                // twice the digits of a mass that is nearly singular may tell less
+                self.floors[row] = at_least(floors[row], if is_certain { self.floors[row] } else { 0.0 });
                 if !is_certain {
-                    self.floors[row] = floors[row];
                     self.unrounded.get_mut(row).into_iter().for_each(|lost| *lost = 0.0);
                 }
             }
