@@ -73,6 +73,8 @@ pub(super) struct Scales {
 struct Known {
     /// ρ_n and ρ_t \[kg\].
     weights: [f64; 2],
+    /// √W_nn and √tr W_tt or more, and the larger of the two \[kg^-½\].
+    roots: [f64; 3],
     /// Whether a normal impulse moves its own contact, W_nn + R_nn > 0, and friction, tr(W_tt + R_tt) > 0.
     moves_itself: [bool; 2],
     /// The first contact of the same island.
@@ -165,7 +167,9 @@ impl Scales {
         let places = problem.islands().first.iter().zip(problem.groups(groups::find));
         self.contacts.clear();
         for ((weights, moves_itself), (island, group)) in weights.iter().zip(moves_itself.iter()).zip(places) {
-            self.contacts.push(Known { weights: *weights, moves_itself: *moves_itself, island: *island, group: *group });
+            let [n, t] = [(1.0 / weights[0]).sqrt(), (2.0 / weights[1]).sqrt()];
+            let (weights, moves_itself, island, group) = (*weights, *moves_itself, *island, *group);
+            self.contacts.push(Known { weights, roots: [n, t, n.max(t)], moves_itself, island, group });
         }
         self.unheld = (Vec::new(), 0.0);
     }
@@ -405,8 +409,8 @@ pub(super) fn at_most(number: f64, other: f64) -> f64 {
 
 /// √W_jj |r_j| of the rows of a contact, or more.
 fn reach((known, impulse): (&Known, &[f64])) -> f64 {
-    let [normal, tangential] = known.weights;
-    impulse[0].abs() / normal.sqrt() + tangential_norm(impulse) * (2.0 / tangential).sqrt()
+    let [normal, tangential, _] = known.roots;
+    impulse[0].abs() * normal + tangential_norm(impulse) * tangential
 }
 
 /// count/trace, infinite if the trace is not positive.

@@ -21,8 +21,7 @@ impl Scales {
 
     /// γ_i √W_ii Σ_j √W_jj |r_j|.
     fn made_rounding(&self, problem: &ContactProblem, contact: usize) -> f64 {
-        let most = |weights: [f64; 2]| (1.0 / weights[0].min(0.5 * weights[1])).sqrt();
-        problem.rounding()[contact * problem.rows_per_contact()] * most(self.contacts[contact].weights) * self.reach
+        problem.rounding()[contact * problem.rows_per_contact()] * self.contacts[contact].roots[2] * self.reach
     }
 
     /// Puts y of doubled precision to all rows, and its rounding to those of the contacts of which rounding hides too much.
