@@ -1,12 +1,20 @@
 //! The cure of arguments that stand in another form than their command takes them: a name without its option, an option that is a place.
 
 use super::unused::named;
+use crate::gate::checks;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Command, Error};
+use std::path::Path;
 
 /// What a name without an option is to commands that take none.
-const NAMELESS: [(&str, &str); 5] =
-    [("simulate", "--scene"), ("report", "--out"), ("verify", "--explain"), ("engine", "--scheme"), ("scoreboard", "--only")];
+const NAMELESS: [(&str, &str); 6] = [
+    ("moreau simulate", "--scene"),
+    ("moreau report", "--out"),
+    ("moreau verify", "--explain"),
+    ("moreau engine", "--scheme"),
+    ("moreau new engine", "--language"),
+    ("moreau scoreboard", "--only"),
+];
 
 /// Adds the right form to the message of an unexpected argument, where there is one.
 pub fn advise(mut error: Error, program: &Command, words: &[String]) -> Error {
@@ -32,15 +40,27 @@ fn right_form(error: &Error, program: &Command, words: &[String]) -> Option<Stri
     let Some(option) = given.strip_prefix("--") else {
         let last = command.get_positionals().find(|place| place.is_last_set());
         let is_given = |option: &str| words.iter().any(|word| word.split('=').next() == Some(option));
-        let nameless = NAMELESS.iter().find(|(name, option)| *name == command.get_name() && !is_given(option));
+        let nameless = NAMELESS.iter().find(|(name, option)| *name == written && !is_given(option));
         return match (last, nameless) {
-            (Some(_), _) => Some(format!("{written} -- {given}")),
+            (Some(_), _) if is_check(given) => Some(format!("{written} --only {given}")),
+            // the program with its own options, behind those of the command
+            (Some(_), _) => {
+                let place = words.iter().position(|word| word == given)?;
+                Some(format!("moreau {} -- {}", words[1..place].join(" "), words[place..].join(" ")))
+            }
+            (None, Some(("moreau verify", _))) if !given.contains('.') => Some(format!("{written} --search {given}")),
             (None, Some((_, option))) => Some(format!("{written} {option} {given}")),
             (None, None) => None,
         };
     };
-    let place = command.get_positionals().map(named).find(|place| place.eq_ignore_ascii_case(option))?;
-    Some(format!("{written} {place}"))
+    let places: Vec<String> = command.get_positionals().map(named).collect();
+    places.iter().any(|place| place.eq_ignore_ascii_case(option)).then(|| format!("{written} {}", places.join(" ")))
+}
+
+/// Whether it is named as a check of the gate is, or a group of them, and is no file.
+fn is_check(given: &str) -> bool {
+    let group = |name: &str| name.split('/').next() == given.split('/').next();
+    given.contains('/') && !Path::new(given).exists() && checks::all().any(|check| group(check.name))
 }
 
 #[cfg(test)]
@@ -66,7 +86,11 @@ mod tests {
             ("moreau verify S4.copos-plus", "moreau verify --explain S4.copos-plus"),
             ("moreau engine anitescu", "moreau engine --scheme anitescu"),
             ("moreau gate ./engine", "moreau gate -- ./engine"),
-            ("moreau gate --quick ./engine", "moreau gate -- ./engine"),
+            ("moreau gate --quick ./engine --own", "moreau gate --quick -- ./engine --own"),
+            ("moreau gate ball/energy", "moreau gate --only ball/energy"),
+            ("moreau verify zeno", "moreau verify --search zeno"),
+            ("moreau new engine python", "moreau new engine --language python"),
+            ("moreau certify p.json --solution s.json", "moreau certify PROBLEM SOLUTION"),
             ("moreau protocol-check ./engine", "moreau protocol-check -- ./engine"),
             ("moreau solve --problem p.json", "moreau solve PROBLEM"),
             ("moreau problems show --name block", "moreau problems show NAME"),
@@ -89,7 +113,8 @@ mod tests {
     fn commands_that_are_advised_have_the_option_and_no_place() {
         let program = Arguments::command();
         for (name, option) in NAMELESS {
-            let command = program.find_subcommand(name).unwrap_or_else(|| panic!("{name}"));
+            let below = |command: &'_ Command, word: &str| command.find_subcommand(word).cloned().unwrap_or_else(|| panic!("{name}"));
+            let command = name.split(' ').skip(1).fold(program.clone(), |command, word| below(&command, word));
             assert!(command.get_arguments().any(|argument| named(argument) == option) && command.get_positionals().count() == 0, "{name}");
         }
     }
