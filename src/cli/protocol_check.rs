@@ -24,6 +24,9 @@ pub struct Arguments {
     /// nothing more is asked, and the probes left are skipped.
     #[arg(long, value_parser = number::seconds, value_name = "SECONDS", default_value_t = 60.0, allow_negative_numbers = true)]
     time_limit: f64,
+    /// Seconds the adapter may take from its start to its first reply, for one that has much to load; --time-limit unless given.
+    #[arg(long, value_parser = number::seconds, value_name = "SECONDS", allow_negative_numbers = true)]
+    start_limit: Option<f64>,
     /// How to write the result.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -41,7 +44,8 @@ Exit codes: 0 no probe found a problem; 1 one did; 2 usage; 3 the adapter could 
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     end_engines_on_interrupt()?;
     let reply = of_reply("--time-limit", arguments.time_limit)?;
-    let limits = Limits { reply, start: reply, ..Limits::default() };
+    let start = arguments.start_limit.map_or(Ok(reply), |limit| of_reply("--start-limit", limit))?;
+    let limits = Limits { reply, start, ..Limits::default() };
     let bar = progress::word("");
     let asked =
         |name: &str| bar.set_message(format!("{name} waits for the adapter, {} s at most for a reply", significant(arguments.time_limit)));

@@ -17,7 +17,8 @@ pub struct ToleranceOption {
     tolerance: Option<f64>,
     /// End a solve after this time with the best answer so far, which the next run need not find again: it is marked as not reproducible.
     /// Iterations look between their steps, sweeps between their contacts, eliminations between their fronts, pivoting methods between
-    /// their pivots; Clarabel looks between its iterations, whose factorisations it ends no sooner.
+    /// their pivots; Clarabel looks between its iterations, whose factorisations it ends no sooner. Of an answer that is refused, a proof
+    /// that there is no solution is looked for after that.
     #[arg(long, value_parser = number::seconds, value_name = "SECONDS", allow_hyphen_values = true)]
     time_limit: Option<f64>,
 }

@@ -32,13 +32,24 @@ pub fn checks(arguments: &Arguments) -> Result<Vec<&'static Check>> {
         return Err(Error::invalid("--write-scenes", problem, cure));
     }
     if selected.is_empty() {
-        return Err(Error::invalid(
-            "--only",
-            "selects no check together with the other options",
-            "`moreau gate --list` shows every check with its level",
-        ));
+        return Err(none_left(arguments));
     }
     Ok(selected)
+}
+
+/// The options that left no check.
+fn none_left(arguments: &Arguments) -> Error {
+    let asked = [
+        ("--only", !arguments.only.is_empty()),
+        ("--skip", !arguments.skip.is_empty()),
+        ("--solver", arguments.solver),
+        ("--projection", arguments.projection),
+        ("--trajectory", !arguments.trajectory.is_empty()),
+        ("--write-scenes", arguments.write_scenes.is_some()),
+    ];
+    let options: Vec<&str> = asked.into_iter().filter_map(|(option, is_asked)| is_asked.then_some(option)).collect();
+    let problem = if options.len() > 1 { "leave no check together" } else { "leaves no check" };
+    Error::invalid(options.join(" and "), problem, "`moreau gate --list` shows every check with its level")
 }
 
 /// The time steps of the sweep \[s\].

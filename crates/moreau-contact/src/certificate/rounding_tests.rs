@@ -395,7 +395,7 @@ fn where_nothing_has_twice_the_digits_what_forming_may_have_moved_is_not_believe
         let rows = dmatrix![3.0, 1.0, 0.0, 0.0; -9.0, -3.0, 1.0, 0.0; small, -7.0 * small, 0.0, 1.0];
         let r = [3.0 * load + 1.0, load, 2f64.powi(-36)];
         let jacobian = rows.view((0, 0), (3, 3)).map(exact);
-        let inverse = DMatrix::from_diagonal(&DVector::from_iterator(3, [3.0, 7.0, load].map(|m| exact(1.0) / exact(m)).into_iter()));
+        let inverse = DMatrix::from_diagonal(&DVector::from_iterator(3, [3.0, 7.0, load].map(|m| exact(1.0) / exact(m))));
         let w = &jacobian * inverse * jacobian.transpose();
         let moved = |r: &[f64; 3]| &w * DVector::from_iterator(3, r.iter().map(|r| exact(*r)));
         let given = moved(&r).map(|u| -Scalar::to_f64(&u));

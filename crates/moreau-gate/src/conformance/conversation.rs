@@ -16,6 +16,20 @@ const SILENCE: Duration = Duration::from_millis(200);
 /// The cure of most faults.
 const ONE_LINE: &str = "write exactly one line per request on standard output, flush it, and everything else on standard error";
 
+/// What an adapter's author may do about a request without a reply.
+fn unanswered(fault: Fault) -> ProbeOutcome {
+    let cure = match fault.cause {
+        Fate::NotStarted(_) => "give the program and its arguments as they are typed in a shell",
+        Fate::TimedOut(..) => {
+            "answer every request, an unknown one with `unsupported`, and flush the line; or allow more time by --time-limit, \
+             to start by --start-limit"
+        }
+        Fate::Ended(..) => "catch what the engine throws and answer it as `error`; a program that crashes tells why on standard error",
+        _ => ONE_LINE,
+    };
+    problem(fault, cure)
+}
+
 /// A conversation line by line; after a fault the program is started again.
 pub(super) struct Talk<'a> {
     command: &'a [String],
@@ -77,7 +91,7 @@ impl<'a> Talk<'a> {
     }
 
     fn ask(&mut self, request: Value) -> Result<Told, ProbeOutcome> {
-        self.ask_in(PROTOCOL, request).map_err(|fault| problem(fault, ONE_LINE))?.map_err(malformed)
+        self.ask_in(PROTOCOL, request).map_err(unanswered)?.map_err(malformed)
     }
 
     /// What a probe sees, unless waiting is in vain.
@@ -107,7 +121,7 @@ fn malformed(why: String) -> ProbeOutcome {
 
 /// The description in the first reply.
 pub(super) fn described(first: Result<Result<Told, String>, Fault>) -> Result<Description, ProbeOutcome> {
-    let told = first.map_err(|fault| problem(fault, ONE_LINE))?.map_err(malformed)?;
+    let told = first.map_err(unanswered)?.map_err(malformed)?;
     let text = told.map_err(|refusal| problem(refusal, "`describe` must be answered with a result"))?;
     messages::description(&text).map_err(|error| problem(error, "give the fields of `describe` in docs/protocol.md, and no others"))
 }
@@ -188,8 +202,8 @@ fn known_options(talk: &mut Talk, description: Option<&Description>) -> Seen {
 
 fn silent(talk: &mut Talk) -> Seen {
     let _ = talk.ask(json!({"request": "describe"}))?;
-    let mut session = talk.session().map_err(|fault| problem(fault, ONE_LINE))?;
-    session.listen(SILENCE).map_err(|fault| problem(fault, ONE_LINE))?;
+    let mut session = talk.session().map_err(unanswered)?;
+    session.listen(SILENCE).map_err(unanswered)?;
     talk.session = Some(session);
     Ok(())
 }
