@@ -97,7 +97,7 @@ fn step(document: &Document, problem: &ContactProblem) -> Result<Vec<Finding>, F
     let ours = GaussNewton::default().minimise(&program, DVector::zeros(program.velocities()))?;
     let own_gradient = program.relative_gradient(&ours.change, &ours.impulse);
     let stored = (document.vector(&["native", "qacc"])? - document.vector(&["native", "qacc_smooth"])?) * h;
-    let energy = |x: &DVector<f64>| x.dot(&(program.mass() * x)).sqrt();
+    let energy = |x: &DVector<f64>| x.dot(&program.mass().times(x)).sqrt();
     let asked = program.impulse(&program.violation(&stored));
     let left = program.gradient(&stored, &asked);
     let left = left.dot(&program.accelerate(&left)).max(0.0).sqrt();

@@ -25,6 +25,7 @@
 
 #[cfg(feature = "files")]
 pub mod answered;
+pub mod augmented_mass;
 pub mod certificate;
 pub mod cones;
 pub mod contact;

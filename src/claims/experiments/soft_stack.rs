@@ -75,9 +75,7 @@ pub fn found_again(share_of_forces: f64) -> Result<f64> {
     let push = program.gradient(&wanted, &forces);
     // with the push, free motion is faster by M⁻¹p: offsets by HM⁻¹p, and the change is counted from there
     let free = program.accelerate(&push);
-    let offset = program.offset() + program.jacobian() * &free;
-    let pieces = program.pieces().map(|(_, piece)| piece.clone()).collect();
-    let pushed = GaussProgram::new(program.mass().clone(), program.jacobian().clone(), offset, pieces)?;
-    let found = GaussNewton::default().minimise(&pushed, DVector::zeros(free.len()))?.change + free;
+    let offset = program.offset() + program.motion(&free);
+    let found = GaussNewton::default().minimise(&program.with_offset(offset), DVector::zeros(free.len()))?.change + free;
     Ok((&found - &wanted).norm() / wanted.norm())
 }

@@ -342,7 +342,7 @@ fn ten_sweeps(reading: Reading) -> Result<Vec<Finding>> {
 
 /// The error of a change of velocity over its size, both in the norm of M.
 fn energy_error(program: &GaussProgram, change: &DVector<f64>, exact: &DVector<f64>) -> f64 {
-    let size = |x: &DVector<f64>| x.dot(&(program.mass() * x)).sqrt();
+    let size = |x: &DVector<f64>| x.dot(&program.mass().times(x)).sqrt();
     size(&(change - exact)) / size(exact)
 }
 

@@ -124,6 +124,38 @@ impl Rows {
         made
     }
 
+    /// These rows, and below them other ones of the same bodies.
+    ///
+    /// # Panics
+    /// If they belong to another number of velocities, or to more than two bodies together.
+    /// ```
+    /// use moreau_contact::contact::Rows;
+    /// use moreau_contact::nalgebra::dmatrix;
+    ///
+    /// // a normal at one body, and below it a turn of both
+    /// let normal = Rows::zeros(1, 4).with(0, [[1.0, 0.0]]);
+    /// let turn = Rows::zeros(1, 4).with(0, [[0.0, 1.0]]).with(2, [[0.0, -1.0]]);
+    /// assert_eq!(normal.above(&turn).to_dense(), dmatrix![1.0, 0.0, 0.0, 0.0; 0.0, 1.0, 0.0, -1.0]);
+    /// ```
+    #[must_use]
+    pub fn above(&self, other: &Self) -> Self {
+        assert_eq!(self.columns, other.columns, "both belong to the same velocities");
+        let mut places: Vec<(usize, usize)> = self.parts().chain(other.parts()).map(|part| (part.first, part.width)).collect();
+        places.sort_unstable();
+        places.dedup();
+        let apart = places.windows(2).all(|pair| pair[0].0 + pair[0].1 <= pair[1].0);
+        assert!(places.len() <= 2 && apart, "a contact touches two bodies, and each once");
+        let mut made = Rows::zeros(self.rows + other.rows, self.columns);
+        for (place, (first, width)) in made.parts.iter_mut().zip(places) {
+            let entries = [self, other].into_iter().flat_map(|rows| {
+                let own = rows.parts().find(|part| part.first == first);
+                own.map_or_else(|| vec![0.0; rows.rows * width], |part| part.entries.to_vec())
+            });
+            *place = Some(Part { first, width, entries: Entries::Many(entries.collect()) });
+        }
+        made
+    }
+
     /// How many rows.
     pub fn nrows(&self) -> usize {
         self.rows
@@ -339,6 +371,19 @@ mod tests {
         assert!((0..2).all(|i| rows.row(i) == dense.row(i).into_owned() && (0..7).all(|j| rows[(i, j)] == dense[(i, j)])));
         assert_eq!(Rows::from(dense), rows);
         assert_eq!(rows.touched().collect::<Vec<_>>(), [0, 2, 4, 5, 6]);
+    }
+
+    #[test]
+    fn rows_above_others_are_those_of_both() {
+        let one = Rows::zeros(1, 7).with(4, [[1.0, -2.0, 3.0]]);
+        let other = Rows::zeros(2, 7).with(4, [[0.5, 0.0, 1.0], [2.0, 4.0, 8.0]]).with(0, [[7.0, 9.0], [4.0, 2.0]]);
+        for (upper, lower) in [(&one, &other), (&other, &one), (&one, &one), (&Rows::zeros(1, 7), &other)] {
+            let (both, rows) = (upper.above(lower).to_dense(), upper.nrows());
+            assert_eq!(
+                (both.rows(0, rows).into_owned(), both.rows(rows, lower.nrows()).into_owned()),
+                (upper.to_dense(), lower.to_dense())
+            );
+        }
     }
 
     /// In the plane and in space, where the rows are gone through in another way.

@@ -6,6 +6,7 @@
 //! Contacts that meet no other are put together: each of them is answered alone by any method that goes from contact to contact.
 
 use super::{Lists, Operator};
+use crate::contact::Jacobian;
 use crate::memory::spare::{self, Lent};
 
 /// A partition of the contacts.
@@ -40,7 +41,7 @@ impl Islands {
 
     /// Those of W; of a W by bodies that is not formed, contacts are together that touch the same body.
     pub fn of(w: &Operator, contacts: usize) -> Self {
-        let (n, mut parts) = (contacts, Parts { root: spare::collected(contacts, 0..contacts).into(), count: contacts });
+        let (n, mut parts) = (contacts, Parts::alone(contacts));
         match w {
             Operator::Blocks(stored) => {
                 let mut columns = 0..n;
@@ -68,6 +69,32 @@ impl Islands {
     }
 }
 
+/// The islands of H: contacts are together whose rows touch the same velocity, directly or through others. H_I H_Jᵀ = 0 for any two.
+/// ```
+/// use moreau_contact::contact::{Jacobian, Rows};
+/// use moreau_contact::operator::islands_of;
+///
+/// // four masses on a line: the first on the third, the second and the fourth on the ground, the third once more
+/// let on_ground = |mass| Rows::zeros(1, 4).with(mass, [[1.0]]);
+/// let contacts = vec![on_ground(0).with(2, [[-1.0]]), on_ground(1), on_ground(3), on_ground(2)];
+/// assert_eq!(islands_of(&Jacobian::new(1, 4, contacts)), [vec![0, 3], vec![1], vec![2]]);
+/// ```
+pub fn islands_of(jacobian: &Jacobian) -> Vec<Vec<usize>> {
+    let contacts = jacobian.contacts();
+    let (mut parts, mut last) = (Parts::alone(contacts.len()), vec![None; jacobian.ncols()]);
+    for (k, rows) in contacts.iter().enumerate() {
+        for velocity in rows.touched() {
+            if let Some(before) = last[velocity].replace(k) {
+                parts.join(before, k);
+            }
+        }
+    }
+    let islands = parts.islands();
+    let together = islands.members.len() - usize::from(islands.last_is_of_lone);
+    let lone = islands.members.iter().skip(together).flatten().map(|k| vec![*k]);
+    islands.members.iter().take(together).map(<[usize]>::to_vec).chain(lone).collect()
+}
+
 /// Contacts that were found to be together, each with one of them that comes before it, or itself.
 struct Parts {
     root: Lent<Vec<usize>>,
@@ -75,6 +102,11 @@ struct Parts {
 }
 
 impl Parts {
+    /// So many contacts, none of which has been found with another.
+    fn alone(contacts: usize) -> Self {
+        Parts { root: spare::collected(contacts, 0..contacts).into(), count: contacts }
+    }
+
     #[inline]
     fn join(&mut self, j: usize, k: usize) {
         if self.root[j] == self.root[k] {
@@ -124,7 +156,19 @@ fn find(root: &mut [usize], k: usize) -> usize {
 mod tests {
     use super::super::BlockSparse;
     use super::*;
+    use crate::contact::Rows;
     use nalgebra::{DMatrix, dmatrix};
+
+    #[test]
+    fn contacts_are_together_exactly_if_their_rows_touch_a_velocity_through_any_chain() {
+        let touching = |bodies: &[usize]| bodies.iter().fold(Rows::zeros(1, 24), |rows, body| rows.with(3 * body, [[1.0, 0.0, -1.0]]));
+        // 2–0–4 by a chain whose middle comes last, 1 twice, 6 alone; what has no entry meets nothing, and a zero at a body is none
+        let rows = [&[2][..], &[1], &[4], &[6], &[], &[1], &[0, 2], &[0, 4]].map(touching);
+        let beside = Rows::zeros(1, 24).with(18, [[0.0, 1.0, 0.0]]);
+        let found = islands_of(&Jacobian::new(1, 24, rows.into_iter().chain([beside]).collect()));
+        assert_eq!(found, [vec![0, 2, 6, 7], vec![1, 5], vec![3], vec![4], vec![8]]);
+        assert!(islands_of(&Jacobian::new(1, 24, Vec::new())).is_empty());
+    }
 
     #[test]
     fn contacts_are_together_exactly_if_a_chain_of_blocks_joins_them() {

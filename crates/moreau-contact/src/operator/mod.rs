@@ -32,6 +32,7 @@ pub use block_rows::BlockRows;
 pub use blocks::BlockSparse;
 pub use contact_operator::ContactOperator;
 pub(crate) use islands::Islands;
+pub use islands::islands_of;
 pub(crate) use lists::Lists;
 pub use matrix_free::MatrixFree;
 pub use of_mechanism::of_mechanism;

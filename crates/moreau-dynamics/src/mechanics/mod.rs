@@ -1,8 +1,8 @@
 //! Mechanisms: M(q) v̇ = F(q, v) + Hᵀ(q) λ with unilateral contacts φ(q) ≥ 0.
 
-use moreau_contact::contact::Contact;
 #[cfg(doc)]
 use moreau_contact::contact::Place;
+use moreau_contact::contact::{Contact, Rows};
 use nalgebra::{DMatrix, DVector};
 
 mod ball_chain;
@@ -158,7 +158,7 @@ pub trait Mechanism: Send + Sync {
     }
     /// The relative angular velocity of the two bodies of a contact about its n, t₁ and t₂, as rows times v \[rad/s\]. `None` if the
     /// mechanism does not consist of bodies that turn by themselves in space.
-    fn contact_rotation(&self, position: &DVector<f64>, contact: &Contact) -> Option<DMatrix<f64>> {
+    fn contact_rotation(&self, position: &DVector<f64>, contact: &Contact) -> Option<Rows> {
         let _ = (position, contact);
         None
     }

@@ -10,7 +10,7 @@
 
 use crate::mechanics::{LinearForce, Mechanism, State, answers_as};
 use delegate::delegate;
-use moreau_contact::contact::Contact;
+use moreau_contact::contact::{Contact, Rows};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 
@@ -34,7 +34,7 @@ impl Mechanism for Nearby<'_> {
             /// Uses the caller's reach and not the reach of this wrapper.
             fn contacts_halfway(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact>;
             fn inverse_mass(&self, contact: &Contact) -> Option<f64>;
-            fn contact_rotation(&self, position: &DVector<f64>, contact: &Contact) -> Option<DMatrix<f64>>;
+            fn contact_rotation(&self, position: &DVector<f64>, contact: &Contact) -> Option<Rows>;
             fn gyroscopic_slope(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Option<Vec<DMatrix<f64>>>;
             fn reach(&self, velocity: &DVector<f64>, h: f64) -> f64;
             fn linear_force(&self) -> Option<LinearForce>;

@@ -1,11 +1,15 @@
 //! Tolerances of [`crate::schemes`].
 
-use moreau_exact::tolerance::{EPSILON, rounding};
+use moreau_exact::tolerance::rounding;
 
-/// Singular values of H_n H_nᵀ, relative to its largest entry, below which contact normals are linearly dependent: 64 ε, the rounding of
-/// its entries.
+/// Singular values of H_n H_nᵀ below which normals of an island of so many contacts are linearly dependent. Every entry is a sum of at most
+/// twelve products, of two bodies' velocities, whose factors are rounded some times: it is off by less than 64 ε of the largest entry, and
+/// a matrix of n rows with such entries has no singular value above n times that. Islands share no velocity: the entries of one say
+/// nothing of how the entries of another were rounded.
 /// Derived.
-pub const DEPENDENT_NORMALS: f64 = 64.0 * EPSILON;
+pub fn dependent_normals(largest: f64, contacts: usize) -> f64 {
+    rounding(32 * contacts, largest)
+}
 
 /// How far M̂ of size `size` with n rows may be from symmetric by rounding: two products and a factorisation.
 /// Derived.

@@ -10,7 +10,7 @@ use super::primal_newton::{Potential, minimise};
 use crate::drake::touching::{own_answer, response, step_touching};
 use crate::drake::{Material, SIGMA};
 use moreau_contact::contact::Contact;
-use moreau_contact::problem::{Dynamics, Solution};
+use moreau_contact::problem::Solution;
 use moreau_dynamics::mechanics::State;
 use moreau_dynamics::schemes::{OwnAnswer, Start, Step, StepContext, StepProblem};
 use moreau_exact::Result;
@@ -74,21 +74,18 @@ pub(super) fn touches(material: Material, at: &StepContext, assembled: &StepProb
 
 /// The step of a convex law of the touching contacts.
 pub(super) fn step<P: Potential>(name: &str, material: Material, start: &Start, law: fn(Vec<Touch>) -> P) -> Result<Step> {
-    step_touching(start, &|at, assembled| {
-        answer(name, assembled, &law(touches(material, at, assembled)?), at.mechanism().rows_per_contact())
-    })
+    step_touching(start, &|at, assembled| answer(name, assembled, &law(touches(material, at, assembled)?)))
 }
 
 /// The minimum of a convex law's step; none without contact.
-fn answer(name: &str, assembled: &StepProblem, potential: &dyn Potential, rows: usize) -> Result<Option<OwnAnswer>> {
+fn answer(name: &str, assembled: &StepProblem, potential: &dyn Potential) -> Result<Option<OwnAnswer>> {
     if assembled.active.is_empty() {
         return Ok(None);
     }
-    let dynamics = Dynamics { mass: assembled.effective_mass.matrix().clone(), jacobian: assembled.jacobian.to_dense() };
-    let free_velocity = &dynamics.jacobian * &assembled.free_velocity;
-    let start = DVector::zeros(dynamics.mass.nrows());
-    let minimum = minimise(name, &dynamics, &free_velocity, rows, potential, start)?;
-    let velocity = free_velocity + &dynamics.jacobian * minimum.change;
+    let StepProblem { effective_mass, jacobian, free_velocity, .. } = assembled;
+    let free_velocity = &**jacobian * free_velocity;
+    let minimum = minimise(name, effective_mass, jacobian, &free_velocity, potential, DVector::zeros(effective_mass.size()))?;
+    let velocity = free_velocity + &**jacobian * &minimum.change;
     let solution = Solution::new(name, minimum.impulse, velocity, minimum.iterations);
     Ok(Some(own_answer(solution, minimum.relative)))
 }
@@ -157,5 +154,20 @@ pub(super) mod testing {
         assert_eq!(touch.normal(2.0), (0.0, 0.0));
         let damped = Touch { material: Material { dissipation: 4.0, ..touch.material }, ..touch };
         assert_eq!(damped.normal(0.25), (0.0, 0.0));
+    }
+
+    #[test]
+    fn bodies_one_by_one_move_as_by_matrices_of_all_velocities() {
+        use crate::drake::touching::testing::{apart, both, heap};
+        let (mechanism, state) = heap();
+        let at = StepContext::new(mechanism.as_ref(), &state, 0.01).expect("a step");
+        let laws: [fn(Vec<Touch>) -> Box<dyn Potential>; 2] = [crate::drake::lagged::tests::law, crate::drake::similar::tests::law];
+        for law in laws {
+            let [free, linked] = both(&at).map(|assembled| {
+                let touches = touches(Material::default(), &at, &assembled).expect("finite");
+                answer("test", &assembled, law(touches).as_ref()).expect("a minimum").expect("contacts").solution.velocity
+            });
+            assert!((&free - &linked).amax() <= apart(&linked), "{free} {linked}");
+        }
     }
 }

@@ -65,9 +65,14 @@ impl Scheme for DrakeLagged {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::drake::hunt_crossley::testing::{is_convex_with_its_own_gradient, touch};
+
+    /// The law of these contacts.
+    pub fn law(touches: Vec<Touch>) -> Box<dyn Potential> {
+        Box::new(Lagged(touches))
+    }
 
     #[test]
     fn the_law_is_convex_with_its_own_gradient() {

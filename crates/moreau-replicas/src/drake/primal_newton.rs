@@ -12,11 +12,12 @@
 //! Castro, Permenter and Han, *An unconstrained convex formulation of compliant contact* (2022), §IV.
 
 use crate::tolerance::solvers::{LINE_STEPS, NEAR_MINIMUM};
-use moreau_contact::problem::Dynamics;
+use moreau_contact::augmented_mass::AugmentedMass;
+use moreau_contact::contact::{Inertia, Jacobian, Mass};
 use moreau_contact::solvers::LineRoot;
 use moreau_contact::solvers::watch::is_over;
 use moreau_contact::tolerance::solvers::{NEWTON_STEPS, STOP};
-use moreau_exact::{Error, Result};
+use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 
 /// The convex potential of every contact's velocity, by its derivatives.
@@ -42,26 +43,28 @@ pub struct Minimum {
 
 /// The step's data and the potential.
 struct Step<'a> {
-    dynamics: &'a Dynamics,
+    mass: &'a Mass,
+    jacobian: &'a Jacobian,
     free_velocity: &'a DVector<f64>,
-    rows: usize,
     potential: &'a dyn Potential,
 }
 
-/// Minimises from `start` = x₀ with contacts of `rows` rows each.
+/// Minimises from `start` = x₀; d is found over the bodies that contacts join ([`AugmentedMass`]).
 ///
 /// # Errors
-/// [`Error::Solver`] in the name of `solver` if the effective mass is not positive definite or the numbers overflow.
+/// [`moreau_exact::Error::Solver`] in the name of `solver` if the numbers overflow; [`moreau_exact::Error::Invalid`] if a velocity has the
+/// inertia +∞, sizes do not fit or elimination takes more memory than is allowed.
 pub fn minimise(
     solver: &str,
-    dynamics: &Dynamics,
+    inertia: &Inertia,
+    jacobian: &Jacobian,
     free_velocity: &DVector<f64>,
-    rows: usize,
     potential: &dyn Potential,
     start: DVector<f64>,
 ) -> Result<Minimum> {
-    let step = Step { dynamics, free_velocity, rows, potential };
-    let scale = dynamics.mass.diagonal().map(|m| 1.0 / m.sqrt());
+    let mut augmented = AugmentedMass::new(inertia, jacobian.contacts())?;
+    let step = Step { mass: inertia.mass(), jacobian, free_velocity, potential };
+    let scale = step.mass.diagonal().map(|m| 1.0 / m.sqrt());
     let size = |vector: &DVector<f64>| scale.component_mul(vector).norm();
     let mut change = start;
     let mut before = f64::INFINITY;
@@ -69,7 +72,7 @@ pub fn minimise(
     loop {
         let velocity = step.velocity(&change);
         let impulse = step.impulse(&velocity);
-        let (momentum, received) = (&dynamics.mass * &change, dynamics.jacobian.tr_mul(&impulse));
+        let (momentum, received) = (step.mass.times(&change), jacobian.tr_mul(&impulse));
         let gradient = &momentum - &received;
         let terms = size(&momentum).max(size(&received));
         let relative = if terms > 0.0 { size(&gradient) / terms } else { 0.0 };
@@ -79,10 +82,11 @@ pub fn minimise(
         let direction = if converged || stalled || iterations == NEWTON_STEPS || is_over() {
             None
         } else {
-            let factor = step.hessian(&velocity).cholesky();
-            let factor = factor.ok_or_else(|| Error::breakdown(solver, "met a Hessian that is not positive definite"))?;
-            let direction = factor.solve(&-gradient);
-            step.line_minimum(&change, &direction).map(|length| direction * length)
+            match augmented.solve_definite(solver, &step.curvatures(&velocity), &-gradient) {
+                Ok(direction) => step.line_minimum(&change, &direction).map(|length| direction * length),
+                Err(_) if is_over() => None,
+                Err(reason) => return Err(reason),
+            }
         };
         let Some(direction) = direction else { return Ok(Minimum { change, impulse, iterations, relative }) };
         change += direction;
@@ -93,38 +97,35 @@ pub fn minimise(
 
 impl Step<'_> {
     fn velocity(&self, change: &DVector<f64>) -> DVector<f64> {
-        self.free_velocity + &self.dynamics.jacobian * change
+        self.free_velocity + self.jacobian * change
+    }
+
+    /// The velocity of every contact.
+    fn contacts<'a>(&self, velocity: &'a DVector<f64>) -> impl Iterator<Item = (usize, &'a [f64])> {
+        velocity.as_slice().chunks(self.jacobian.rows_per_contact().max(1)).enumerate()
     }
 
     fn impulse(&self, velocity: &DVector<f64>) -> DVector<f64> {
-        let parts = velocity.as_slice().chunks(self.rows).enumerate();
-        DVector::from_iterator(
-            velocity.len(),
-            parts.flat_map(|(contact, part)| self.potential.impulse(contact, part).data.as_vec().clone()),
-        )
+        let impulses = self.contacts(velocity).flat_map(|(contact, part)| self.potential.impulse(contact, part).data.as_vec().clone());
+        DVector::from_iterator(velocity.len(), impulses)
     }
 
-    /// M + Hᵀ G H.
-    fn hessian(&self, velocity: &DVector<f64>) -> DMatrix<f64> {
-        let mut hessian = self.dynamics.mass.clone();
-        for (contact, part) in velocity.as_slice().chunks(self.rows).enumerate() {
-            let rows = self.dynamics.jacobian.rows(contact * self.rows, self.rows);
-            hessian += rows.tr_mul(&(self.potential.curvature(contact, part) * rows));
-        }
-        (&hessian + hessian.transpose()) * 0.5
+    /// G_i of every contact.
+    fn curvatures(&self, velocity: &DVector<f64>) -> Vec<DMatrix<f64>> {
+        self.contacts(velocity).map(|(contact, part)| self.potential.curvature(contact, part)).collect()
     }
 
     /// The root α of the slope along d: bracketed by doubling, then by Newton's method that falls back on bisection. `None` if d does not
     /// descend.
     fn line_minimum(&self, change: &DVector<f64>, direction: &DVector<f64>) -> Option<f64> {
-        let along = &self.dynamics.jacobian * direction;
-        let weighted = &self.dynamics.mass * direction;
+        let along = self.jacobian * direction;
+        let weighted = self.mass.times(direction);
         let (at_start, own_curvature) = (weighted.dot(change), weighted.dot(direction));
         let slope_and_curvature = |length: f64| {
             let velocity = self.velocity(change) + &along * length;
             let mut curvature = own_curvature;
-            for (contact, part) in velocity.as_slice().chunks(self.rows).enumerate() {
-                let row = along.rows(contact * self.rows, self.rows);
+            for (contact, part) in self.contacts(&velocity) {
+                let row = along.rows(contact * part.len(), part.len());
                 curvature += row.dot(&(self.potential.curvature(contact, part) * row));
             }
             (at_start + length * own_curvature - along.dot(&self.impulse(&velocity)), curvature)

@@ -16,6 +16,7 @@
 
 use super::primal_newton::{Potential, minimise};
 use moreau_contact::cones::{projection_jacobian, second_order};
+use moreau_contact::contact::{Inertia, Jacobian, Mass};
 use moreau_contact::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law, Solution};
 use moreau_contact::solvers::{ContactSolver, SolverEntry, parts};
 use moreau_exact::tolerance::rounding;
@@ -43,24 +44,25 @@ impl ContactSolver for SemiAnalyticPrimal {
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         parts::require_convex(NAME, problem)?;
         let potential = Projection::of(problem)?;
-        let dynamics = dynamics(problem);
+        let (mass, jacobian) = mass_and_rows(problem);
         let start = parts::start(problem, warm_start)?;
-        let mass = dynamics.mass.clone().cholesky().ok_or_else(|| Error::refused(NAME, "needs a positive definite mass matrix"))?;
-        let start = mass.solve(&dynamics.jacobian.tr_mul(&start));
-        let minimum = minimise(NAME, &dynamics, problem.free_velocity(), problem.rows_per_contact(), &potential, start)?;
+        let inertia = Inertia::of(mass).map_err(|_| Error::refused(NAME, "needs a positive definite mass matrix"))?;
+        let start = inertia.solve(&jacobian.tr_mul(&start));
+        let minimum = minimise(NAME, &inertia, &jacobian, problem.free_velocity(), &potential, start)?;
         let velocity = problem.velocity(&minimum.impulse);
         parts::finite(Solution::new(NAME, minimum.impulse, velocity, minimum.iterations))
     }
 }
 
-/// M and H of the problem; without them 1 and W^½, which give the same W.
-fn dynamics(problem: &ContactProblem) -> Dynamics {
-    if let Some(known) = problem.dynamics() {
-        return known.clone();
+/// M and H of the problem, as one body; without them 1 and W^½, which give the same W.
+fn mass_and_rows(problem: &ContactProblem) -> (Mass, Jacobian) {
+    let rows = problem.rows_per_contact();
+    if let Some(Dynamics { mass, jacobian }) = problem.dynamics() {
+        return (Mass::Dense(mass.clone()), Jacobian::from_dense(jacobian, rows));
     }
     let eigen = ((problem.dense() + problem.dense().transpose()) * 0.5).symmetric_eigen();
     let root = DMatrix::from_diagonal(&eigen.eigenvalues.map(|value| value.max(0.0).sqrt()));
-    Dynamics { mass: DMatrix::identity(problem.rows(), problem.rows()), jacobian: eigen.eigenvectors * root }
+    (Mass::Diagonal(DVector::from_element(problem.rows(), 1.0)), Jacobian::from_dense(&(eigen.eigenvectors * root), rows))
 }
 
 /// ℓ of every contact, by its scaled cone.

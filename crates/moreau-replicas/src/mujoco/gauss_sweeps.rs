@@ -66,7 +66,7 @@ impl GaussSweeps {
                 break;
             }
         }
-        let change = program.accelerate(&program.jacobian().tr_mul(&impulse));
+        let change = program.accelerate(&program.push(&impulse));
         let relative_gradient = program.relative_gradient(&change, &impulse);
         Ok(Minimiser { change, impulse, iterations, relative_gradient })
     }
@@ -74,11 +74,12 @@ impl GaussSweeps {
 
 /// A = H M⁻¹ Hᵀ + R \[1/kg\].
 fn operator(program: &GaussProgram) -> DMatrix<f64> {
-    let mut response = DMatrix::zeros(program.velocities(), program.rows());
-    for row in 0..program.rows() {
-        response.set_column(row, &program.accelerate(&program.jacobian().row(row).transpose()));
+    let rows = program.rows();
+    let mut operator = DMatrix::zeros(rows, rows);
+    for row in 0..rows {
+        let unit = DVector::from_fn(rows, |other, _| f64::from(u8::from(other == row)));
+        operator.set_column(row, &program.motion(&program.accelerate(&program.push(&unit))));
     }
-    let mut operator = program.jacobian() * response;
     for (first, piece) in program.pieces() {
         piece.softness().iter().enumerate().for_each(|(k, softness)| operator[(first + k, first + k)] += softness);
     }

@@ -65,7 +65,7 @@ impl Mujoco {
             });
             let pushes = DVector::from_vec(pushes.collect());
             let force = rows.edges.tr_mul(&pushes);
-            applied -= rows.jacobian.tr_mul(&force);
+            rows.jacobian.add_transposed((-&force).as_slice(), applied.as_mut_slice());
             contacts.push(ContactForce { contact: rows.index, force, place: rows.place });
         }
         Ok(InverseDynamics { applied, contacts })

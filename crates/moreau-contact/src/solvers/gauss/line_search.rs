@@ -31,11 +31,11 @@ struct Line<'a> {
 
 impl<'a> Line<'a> {
     fn new(program: &'a GaussProgram, change: &DVector<f64>, direction: &DVector<f64>) -> Self {
-        let inertia = program.mass() * direction;
+        let inertia = program.mass().times(direction);
         Line {
             program,
             violation: program.violation(change),
-            motion: program.jacobian() * direction,
+            motion: program.motion(direction),
             linear: inertia.dot(change),
             quadratic: inertia.dot(direction),
         }

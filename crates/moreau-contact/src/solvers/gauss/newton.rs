@@ -3,7 +3,7 @@
 //! ```text
 //!     Δ ← Δ − α (M + Hᵀ∇²s H)⁻¹ (MΔ − Hᵀr) ,      α exact .
 //! ```
-//! The Hessian is factored by Cholesky; M makes it positive definite in every zone. While no contact changes its zone and none slips on a
+//! The Hessian is factored by Cholesky over the bodies that pieces join; M makes it positive definite in every zone. While no contact changes its zone and none slips on a
 //! round cone the cost is quadratic and one step ends at its minimiser.
 
 use super::line_search::exact_step;
@@ -11,7 +11,8 @@ use super::{GaussProgram, Minimiser, Progress, through_program};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::solvers::ContactSolver;
 use crate::tolerance::solvers::{NEWTON_STALLED, NEWTON_STEPS, STOP};
-use moreau_exact::{Error, Result};
+use crate::watch::is_over;
+use moreau_exact::Result;
 use nalgebra::DVector;
 
 /// Newton's method for soft convex contact.
@@ -39,16 +40,18 @@ impl GaussNewton {
     /// rounding is all that is left.
     ///
     /// # Errors
-    /// [`Error::Solver`] if the Hessian is not positive definite, which only overflow can bring about.
+    /// [`moreau_exact::Error::Solver`] if the Hessian is not positive definite, which only overflow can bring about.
     pub fn minimise(&self, program: &GaussProgram, start: DVector<f64>) -> Result<Minimiser> {
         let mut change = start;
         let mut impulse = program.impulse(&program.violation(&change));
         let mut progress = Progress::new(program, &change, &impulse);
-        let mut iterations = 0;
+        let (mut iterations, mut hessian) = (0, program.hessian()?);
         while progress.gradient > self.tolerance && iterations < self.steps && progress.stalled < NEWTON_STALLED {
-            let hessian = program.hessian(&program.violation(&change));
-            let factor = hessian.cholesky().ok_or_else(|| Error::breakdown("newton", "the Hessian is not positive definite"))?;
-            let direction = -factor.solve(&program.gradient(&change, &impulse));
+            let curvatures = program.curvatures(&program.violation(&change));
+            let direction = match hessian.solve_definite("newton", &curvatures, &-program.gradient(&change, &impulse)) {
+                Err(_) if is_over() => break,
+                found => found?,
+            };
             let step = exact_step(program, &change, &direction);
             if step == 0.0 {
                 break;

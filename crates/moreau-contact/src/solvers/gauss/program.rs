@@ -8,44 +8,60 @@
 //! ```
 
 use super::SoftPiece;
+use crate::augmented_mass::AugmentedMass;
 use crate::cones::polyhedral::edge;
+use crate::contact::{Inertia, Mass, Rows};
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law};
 use moreau_exact::tolerance::rounding;
 use moreau_exact::{Error, Result};
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use nalgebra::{DMatrix, DVector};
 
 /// min over Δ of ½ΔᵀMΔ + Σ s_k(HΔ + b).
 #[derive(Clone, Debug)]
 pub struct GaussProgram {
-    mass: DMatrix<f64>,
-    factor: Cholesky<f64, Dyn>,
-    jacobian: DMatrix<f64>,
+    inertia: Inertia,
+    /// H, piece by piece.
+    rows: Vec<Rows>,
     offset: DVector<f64>,
     pieces: Vec<SoftPiece>,
 }
 
 impl GaussProgram {
-    /// The program with mass M, rows H and offsets b.
+    /// The program with dense mass M, rows H and offsets b.
+    ///
+    /// # Errors
+    /// As [`GaussProgram::of_rows`].
+    pub fn new(mass: DMatrix<f64>, jacobian: DMatrix<f64>, offset: DVector<f64>, pieces: Vec<SoftPiece>) -> Result<Self> {
+        let (rows, size) = (pieces.iter().map(SoftPiece::rows).sum(), mass.ncols());
+        if jacobian.nrows() != rows {
+            return Err(misshapen([jacobian.nrows(), jacobian.ncols()], [rows, size]));
+        }
+        let cut = pieces.iter().scan(0, |next, piece| {
+            let first = *next;
+            *next += piece.rows();
+            Some(jacobian.rows(first, piece.rows()).into_owned().into())
+        });
+        GaussProgram::of_rows(Mass::Dense(mass), cut.collect(), offset, pieces)
+    }
+
+    /// The program with mass M by what couples its velocities, the rows of every piece by bodies, and offsets b.
     ///
     /// # Errors
     /// If M is not positive definite, the sizes do not fit or some R or μ is not positive.
-    pub fn new(mass: DMatrix<f64>, jacobian: DMatrix<f64>, offset: DVector<f64>, pieces: Vec<SoftPiece>) -> Result<Self> {
-        let indefinite = || Error::invalid("mass", "is not positive definite", "give every velocity a positive inertia");
-        let factor = mass.clone().cholesky().ok_or_else(indefinite)?;
-        let rows: usize = pieces.iter().map(SoftPiece::rows).sum();
-        if jacobian.ncols() != mass.ncols() || jacobian.nrows() != rows || offset.len() != rows {
-            let problem = format!("is {}×{}", jacobian.nrows(), jacobian.ncols());
-            return Err(Error::invalid(
-                "jacobian",
-                problem,
-                format!("use the shape {rows}×{}, which fits the contacts and the mass", mass.ncols()),
-            ));
+    pub fn of_rows(mass: Mass, jacobian: Vec<Rows>, offset: DVector<f64>, pieces: Vec<SoftPiece>) -> Result<Self> {
+        let (rows, size): (usize, usize) = (pieces.iter().map(SoftPiece::rows).sum(), mass.size());
+        let fits = |(own, piece): (&Rows, &SoftPiece)| own.shape() == (piece.rows(), size);
+        if jacobian.len() != pieces.len() || offset.len() != rows || !jacobian.iter().zip(&pieces).all(fits) {
+            let given = jacobian.iter().map(Rows::nrows).sum();
+            return Err(misshapen([given, jacobian.first().map_or(size, Rows::ncols)], [rows, size]));
         }
+        let inertia = Inertia::of(mass)?;
+        inertia.finite_mass()?;
         let positive = |piece: &SoftPiece| piece.softness().iter().all(|softness| *softness > 0.0 && softness.is_finite());
         if !pieces.iter().all(positive) {
             return Err(Error::invalid("compliance", "is not positive everywhere", "give R > 0 in every row"));
         }
-        Ok(GaussProgram { mass, factor, jacobian, offset, pieces })
+        Ok(GaussProgram { inertia, rows: jacobian, offset, pieces })
     }
 
     /// The program of a convex contact problem with compliance, mass and Jacobian.
@@ -70,9 +86,19 @@ impl GaussProgram {
             .map_err(|error| Error::breakdown(solver, error.to_string()))
     }
 
+    /// The program with other offsets b.
+    ///
+    /// # Panics
+    /// If there is not one for each row.
+    #[must_use]
+    pub fn with_offset(self, offset: DVector<f64>) -> Self {
+        assert_eq!(offset.len(), self.rows(), "one offset for each row");
+        GaussProgram { offset, ..self }
+    }
+
     /// nv.
     pub fn velocities(&self) -> usize {
-        self.mass.ncols()
+        self.inertia.size()
     }
 
     /// Number of rows of H.
@@ -81,13 +107,26 @@ impl GaussProgram {
     }
 
     /// M.
-    pub fn mass(&self) -> &DMatrix<f64> {
-        &self.mass
+    pub fn mass(&self) -> &Mass {
+        self.inertia.mass()
     }
 
-    /// H.
-    pub fn jacobian(&self) -> &DMatrix<f64> {
-        &self.jacobian
+    /// H x.
+    pub fn motion(&self, x: &DVector<f64>) -> DVector<f64> {
+        let mut motion = DVector::zeros(self.rows());
+        for (rows, (first, piece)) in self.rows.iter().zip(self.pieces()) {
+            rows.add_product(x.as_slice(), &mut motion.as_mut_slice()[first..first + piece.rows()]);
+        }
+        motion
+    }
+
+    /// Hᵀ r.
+    pub fn push(&self, impulse: &DVector<f64>) -> DVector<f64> {
+        let mut push = DVector::zeros(self.velocities());
+        for (rows, (first, piece)) in self.rows.iter().zip(self.pieces()) {
+            rows.add_transposed(&impulse.as_slice()[first..first + piece.rows()], push.as_mut_slice());
+        }
+        push
     }
 
     /// b \[m/s\].
@@ -106,12 +145,12 @@ impl GaussProgram {
 
     /// M⁻¹ x.
     pub fn accelerate(&self, x: &DVector<f64>) -> DVector<f64> {
-        self.factor.solve(x)
+        self.inertia.solve(x)
     }
 
     /// y = H Δ + b \[m/s\].
     pub fn violation(&self, change: &DVector<f64>) -> DVector<f64> {
-        &self.jacobian * change + &self.offset
+        self.motion(change) + &self.offset
     }
 
     /// r = −∇s(y) \[N·s\].
@@ -125,33 +164,40 @@ impl GaussProgram {
         let violation = self.violation(change);
         let y = violation.as_slice();
         let price: f64 = self.pieces().map(|(first, piece)| piece.cost(&y[first..first + piece.rows()])).sum();
-        0.5 * change.dot(&(&self.mass * change)) + price
+        0.5 * change.dot(&self.mass().times(change)) + price
     }
 
-    /// M + Hᵀ ∇²s(y) H \[kg\].
-    pub fn hessian(&self, violation: &DVector<f64>) -> DMatrix<f64> {
-        let mut hessian = self.mass.clone();
-        for (first, piece) in self.pieces() {
-            let n = piece.rows();
-            let curvature = piece.curvature(&violation.as_slice()[first..first + n]);
-            let rows = self.jacobian.rows(first, n);
-            hessian += rows.tr_mul(&(curvature * rows));
-        }
-        hessian
+    /// ∇²s(y) \[kg\], piece by piece.
+    pub fn curvatures(&self, violation: &DVector<f64>) -> Vec<DMatrix<f64>> {
+        self.pieces().map(|(first, piece)| piece.curvature(&violation.as_slice()[first..first + piece.rows()])).collect()
+    }
+
+    /// M + Hᵀ ∇²s H over the bodies that pieces join, for any y.
+    ///
+    /// # Errors
+    /// None of a program that was made: its M is finite, and its sizes fit.
+    pub fn hessian(&self) -> Result<AugmentedMass<'_>> {
+        AugmentedMass::new(&self.inertia, &self.rows)
     }
 
     /// MΔ − Hᵀr \[N·s\].
     pub fn gradient(&self, change: &DVector<f64>, impulse: &DVector<f64>) -> DVector<f64> {
-        &self.mass * change - self.jacobian.tr_mul(impulse)
+        self.mass().times(change) - self.push(impulse)
     }
 
     /// ‖MΔ − Hᵀr‖ over ‖MΔ‖ + ‖Hᵀr‖, in the norm of M⁻¹, in which every velocity counts by its energy; 0 where both vanish.
     pub fn relative_gradient(&self, change: &DVector<f64>, impulse: &DVector<f64>) -> f64 {
-        let size = |x: &DVector<f64>| x.dot(&self.factor.solve(x)).max(0.0).sqrt();
-        let (inertia, push) = (&self.mass * change, self.jacobian.tr_mul(impulse));
+        let size = |x: &DVector<f64>| x.dot(&self.accelerate(x)).max(0.0).sqrt();
+        let (inertia, push) = (self.mass().times(change), self.push(impulse));
         let scale = size(&inertia) + size(&push);
         if scale == 0.0 { 0.0 } else { size(&(inertia - push)) / scale }
     }
+}
+
+/// H of another shape than the pieces and M ask for.
+fn misshapen([rows, columns]: [usize; 2], [wanted, size]: [usize; 2]) -> Error {
+    let cure = format!("use the shape {wanted}×{size}, which fits the contacts and the mass");
+    Error::invalid("jacobian", format!("is {rows}×{columns}"), cure)
 }
 
 /// The matrix from the problem's rows to the program's.

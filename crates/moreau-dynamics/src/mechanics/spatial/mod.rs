@@ -313,16 +313,17 @@ impl Mechanism for SpatialBodies {
     }
 
     /// R Ω of the first body less that of the second.
-    fn contact_rotation(&self, position: &DVector<f64>, contact: &Contact) -> Option<DMatrix<f64>> {
+    fn contact_rotation(&self, position: &DVector<f64>, contact: &Contact) -> Option<Rows> {
         let place = contact.place.as_ref()?;
-        let mut rows = DMatrix::zeros(3, self.degrees_of_freedom());
+        let mut rows = Rows::zeros(3, self.degrees_of_freedom());
         for (body, sign) in [(Some(place.bodies.0), 1.0), (place.bodies.1, -1.0)] {
             let Some(body) = body else { continue };
             let rotation = Pose::of(body, position).rotation;
-            for (row, direction) in place.frame.into_iter().enumerate() {
+            let block = place.frame.map(|direction| {
                 let own = rotation.tr_mul(&Vector3::from(direction)) * sign;
-                (0..3).for_each(|axis| rows[(row, 6 * body + 3 + axis)] = own[axis]);
-            }
+                [0.0, 0.0, 0.0, own[0], own[1], own[2]]
+            });
+            rows.push(6 * body, &block);
         }
         Some(rows)
     }

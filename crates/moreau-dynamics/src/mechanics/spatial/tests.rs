@@ -303,7 +303,7 @@ fn the_rotation_of_a_contact_is_the_relative_spin_in_its_frame() {
         let states = bodies.bodies(&q, &v);
         let spin = |body: usize| Vector3::from(states[body].angular_velocity);
         let relative = spin(place.bodies.0) - place.bodies.1.map_or(Vector3::zeros(), spin);
-        let found = bodies.contact_rotation(&q, &contact).expect("free bodies") * &v;
+        let found = &bodies.contact_rotation(&q, &contact).expect("free bodies") * &v;
         for (row, direction) in place.frame.into_iter().enumerate() {
             assert!((found[row] - relative.dot(&Vector3::from(direction))).abs() <= rounding(32, 8.0), "{} {row}", contact.label());
         }
