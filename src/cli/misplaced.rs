@@ -32,20 +32,23 @@ fn right_form(error: &Error, program: &Command, words: &[String]) -> Option<Stri
         return None;
     };
     // `problems show` is a command of two words
-    let (mut command, mut written) = (program, String::from("moreau"));
+    let (mut command, mut written, mut begin) = (program, String::from("moreau"), 1);
     for word in &words[1..] {
         let Some(below) = command.find_subcommand(word) else { break };
-        (command, written) = (below, format!("{written} {word}"));
+        (command, written, begin) = (below, format!("{written} {word}"), begin + 1);
     }
     let Some(option) = given.strip_prefix("--") else {
         let last = command.get_positionals().find(|place| place.is_last_set());
         let is_given = |option: &str| words.iter().any(|word| word.split('=').next() == Some(option));
         let nameless = NAMELESS.iter().find(|(name, option)| *name == written && !is_given(option));
         return match (last, nameless) {
+            (Some(_), _) if is_given("--list") => Some(format!("{written} --list --only {given}")),
             (Some(_), _) if is_check(given) => Some(format!("{written} --only {given}")),
+            // where the program stands behind its mark, the word is none of it
+            (Some(_), _) if words.iter().any(|word| word == "--") => None,
             // the program with its own options, behind those of the command
             (Some(_), _) => {
-                let place = words.iter().position(|word| word == given)?;
+                let place = begin + words[begin..].iter().position(|word| word == given)?;
                 Some(format!("moreau {} -- {}", words[1..place].join(" "), words[place..].join(" ")))
             }
             (None, Some(("moreau verify", _))) if !given.contains('.') => Some(format!("{written} --search {given}")),
@@ -87,6 +90,9 @@ mod tests {
             ("moreau engine anitescu", "moreau engine --scheme anitescu"),
             ("moreau gate ./engine", "moreau gate -- ./engine"),
             ("moreau gate --quick ./engine --own", "moreau gate --quick -- ./engine --own"),
+            ("moreau gate moreau engine", "moreau gate -- moreau engine"),
+            ("moreau protocol-check moreau engine", "moreau protocol-check -- moreau engine"),
+            ("moreau gate --list incline", "moreau gate --list --only incline"),
             ("moreau gate ball/energy", "moreau gate --only ball/energy"),
             ("moreau verify zeno", "moreau verify --search zeno"),
             ("moreau new engine python", "moreau new engine --language python"),
@@ -103,6 +109,7 @@ mod tests {
             ("moreau solve p.json --solvr pgs", "--solver"),
             ("moreau simulate --scene x --nonsense", ""),
             ("moreau simulate --scene=x y", ""),
+            ("moreau gate --only a b -- moreau engine", ""),
         ] {
             let message = said(words);
             assert!(!message.contains("use `moreau") && message.contains(tip), "{words}: {message}");

@@ -26,7 +26,7 @@ pub const TOML: Content = Content { words: "TOML", ends: &["toml"] };
 /// Programs.
 pub const PYTHON: Content = Content { words: "a program in Python", ends: &["py"] };
 /// A program for Node.
-pub const JAVASCRIPT: Content = Content { words: "a program in JavaScript", ends: &["js", "mjs", "cjs"] };
+pub const JAVASCRIPT: Content = Content { words: "a program in JavaScript", ends: &["js", "cjs"] };
 /// A program to compile.
 pub const RUST: Content = Content { words: "a program in Rust", ends: &["rs"] };
 

@@ -191,6 +191,29 @@ fn stored_trajectories_are_judged_like_a_program() {
     let run = moreau(&["gate", "--only", "flight/projectile", "--steps", "0.01", "--trajectory", &answer]);
     assert_eq!(run.code, 0, "{}{}", run.output, run.message);
     assert!(run.output.contains("pass        flight/projectile") && run.output.contains("pass        trajectory/answer"), "{}", run.output);
+    // the audit of a file is no answer to what was selected
+    let run = moreau(&["gate", "--only", "incline/", "--steps", "0.01", "--trajectory", &answer]);
+    assert_eq!(run.code, 1, "{}{}", run.output, run.message);
+    assert!(run.output.contains("pass        trajectory/answer") && run.message.contains("at least one is needed"), "{}", run.message);
+}
+
+#[test]
+fn scenes_of_another_call_are_not_left_among_those_that_are_asked_for() {
+    let folder = Folder::new("gate-other-scenes");
+    let scenes = folder.path("scenes");
+    let write = |check: &str| moreau(&["gate", "--only", check, "--steps", "0.01", "--write-scenes", &scenes]);
+    let first = || write("flight/projectile");
+    assert_eq!((first().code, first().code), (0, 0), "the same scenes may be written again");
+    write("incline/stick").is_refused(&["`--write-scenes`", "has scenes of another call, such as 000-projectile.json"]);
+    let left = requests(&scenes);
+    assert!(left.iter().all(|request| request.file.contains("projectile")));
+}
+
+#[test]
+fn an_empty_name_of_a_check_is_no_name_of_all() {
+    for words in [&["--only", ""][..], &["--only", "ball/,"], &["--skip", " "]] {
+        moreau(&[&["gate", "--list"], words].concat()).is_refused(&[words[0], "has an empty name"]);
+    }
 }
 
 /// The motion of the first of the scenes that a check asks for, as a file.

@@ -91,11 +91,12 @@ impl<'a> AugmentedMass<'a> {
         self.solve_with(solver, &symmetric, true, right)
     }
 
-    /// d for any G_k. Rows are exchanged within the bodies of a front only, so that d loses digits where a body by itself is nearly singular.
+    /// d for any G_k. Rows are exchanged within the bodies of a front only, so that d loses digits where a body by itself is nearly
+    /// singular.
     ///
     /// # Errors
-    /// [`Error::Solver`] in the name of `solver` if a front has no pivot or who watches ends it; [`Error::Invalid`] if its factor takes more
-    /// memory than is allowed.
+    /// [`Error::Solver`] in the name of `solver` if a front has no pivot or who watches ends it; [`Error::Invalid`] if its factor takes
+    /// more memory than is allowed.
     ///
     /// # Panics
     /// As [`AugmentedMass::solve_definite`].

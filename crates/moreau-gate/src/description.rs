@@ -1,6 +1,7 @@
 //! Who an engine is and which contact model it declares: the result of `describe`.
 
 use moreau_dynamics::scenes::{Body, Scene};
+use moreau_exact::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -152,6 +153,23 @@ fn are_free(bodies: &[BodyKind]) -> bool {
 }
 
 impl Description {
+    /// Refuses names that a terminal or a page would take for something else than names.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] names the field that has a control character.
+    pub fn validate(&self) -> Result<()> {
+        let texts = [("name", Some(&self.name)), ("version", Some(&self.version)), ("contact_model.law", self.contact_model.law.as_ref())];
+        let named = self.contact_model.parameters.keys().map(|name| ("contact_model.parameters", name));
+        let texts = texts.into_iter().filter_map(|(field, text)| Some((field, text?))).chain(named);
+        match texts.into_iter().find(|(_, text)| text.chars().any(char::is_control)) {
+            Some((field, text)) => {
+                let problem = format!("has a control character: {text:?}");
+                Err(Error::invalid(field, problem, "leave out what a terminal would take for a command"))
+            }
+            None => Ok(()),
+        }
+    }
+
     /// Why a scene is not sent to this engine: it has what the engine does not declare.
     pub fn lacks(&self, scene: &Scene) -> Option<String> {
         let lacking = |body: &Body| {
@@ -266,6 +284,27 @@ impl ContactModel {
         match &self.parameters.get(name)?.value {
             OneOrMany::One(value) => Some(std::slice::from_ref(value)),
             OneOrMany::Many(values) => Some(values),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::process::messages::description;
+
+    #[test]
+    fn a_name_that_commands_a_terminal_is_refused_by_its_field() {
+        let text = |name: &str, law: &str| {
+            serde_json::json!({"name": name, "version": "1", "precision": "double", "restitution": true, "friction": "cone",
+                "reports_contacts": true, "levels": ["simulate"], "contact_model": {"kind": "rigid", "law": law, "parameters": {}}})
+        };
+        let read = |name: &str, law: &str| description(&text(name, law).to_string());
+        assert!(read("rød 1", "coulomb").is_ok());
+        for (name, law, field) in
+            [("\u{1b}[31mred", "coulomb", "`name`"), ("x\u{0}", "coulomb", "`name`"), ("x", "a\u{7}", "`contact_model.law`")]
+        {
+            let message = read(name, law).expect_err("a control character").to_string();
+            assert!(message.contains(field) && !message.chars().any(char::is_control), "{message:?}");
         }
     }
 }

@@ -169,7 +169,8 @@ impl Engine for Requests {
 /// [`Error::Read`], or [`Error::Invalid`] with the field and the file's name.
 pub fn read_description(file: &Path) -> Result<Description> {
     let text = read_text(file)?;
-    read_object(&text, "description").map_err(|error| error.in_file(file))
+    let read = read_object::<Description>(&text, "description").and_then(|description| description.validate().map(|()| description));
+    read.map_err(|error| error.in_file(file))
 }
 
 #[cfg(test)]

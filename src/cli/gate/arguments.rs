@@ -29,7 +29,7 @@ pub struct Arguments {
     /// The quick sweep for CI: h = 1/60, 1/240 and 0.001 s.
     #[arg(long, conflicts_with = "steps")]
     pub quick: bool,
-    /// The time steps of the sweep [s], such as 0.01,1/240.
+    /// The time steps of the sweep [s], such as 0.01,1/240. Long ones show less: what a sound step may err grows with the step.
     #[arg(long, value_name = "H,H,…", value_delimiter = ',')]
     pub steps: Vec<String>,
     /// Only checks whose name contains one of these.

@@ -11,10 +11,11 @@ use super::output::{keep_files, print, print_aside, style};
 use super::outputs::{self, HTML, JSON, JUNIT, TOML};
 use super::{Answer, Format};
 use crate::files::write_together;
+use crate::gate::audit::AUDITS;
 use crate::gate::baseline::{Baseline, Change, ChangeKind};
 use crate::gate::conformance;
 use crate::gate::runner::{self, Plan};
-use crate::gate::{Check, Refusal, Report, Verdict};
+use crate::gate::{Check, CheckOutcome, Refusal, Report, Verdict};
 use crate::number::counted;
 use crate::report::gate::{junit, page, text};
 use crate::report::json::pretty;
@@ -102,7 +103,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         Some(changes) => changes.iter().all(|change| change.kind != ChangeKind::Regression),
         None => !report.is_bad(),
     };
-    Ok((is_enough(&report, required) && is_fine).into())
+    Ok((is_enough(&report, required, !arguments.only.is_empty()) && is_fine).into())
 }
 
 /// The baseline, if there is something in it to be compared with.
@@ -139,9 +140,12 @@ fn required(percent: Option<f64>) -> Result<Option<f64>> {
 }
 
 /// Whether enough of the checks were answered; if not, it is told.
-fn is_enough(report: &Report, required: Option<f64>) -> bool {
-    let answered = report.count(Verdict::Pass) + report.count(Verdict::Difference);
-    let count = report.checks.len();
+fn is_enough(report: &Report, required: Option<f64>, is_selected: bool) -> bool {
+    // the audit of a file is none of the checks that were selected
+    let counts = |check: &&CheckOutcome| !(is_selected && check.check.starts_with(AUDITS));
+    let asked: Vec<&CheckOutcome> = report.checks.iter().filter(counts).collect();
+    let answered = asked.iter().filter(|check| matches!(check.verdict, Verdict::Pass | Verdict::Difference)).count();
+    let count = asked.len();
     let is_enough = required.map_or(answered > 0, |percent| 100.0 * answered as f64 >= percent * count as f64);
     if !is_enough {
         let wanted = required.map_or("at least one is needed".to_string(), |percent| format!("--require asks for {percent} %"));

@@ -54,6 +54,8 @@ pub fn write(folder: &Path, checks: &[&'static Check], sweep: &[f64]) -> Result<
         let problem = "has no scene to write: at these time steps the checks ask for no motion";
         return Err(Error::invalid("--write-scenes", problem, "take shorter ones with `--steps`"));
     }
+    let named = distinct.iter().enumerate().map(|(k, (scene, ..))| format!("{k:03}-{}.json", plain(&scene.name)));
+    refuse_others(folder, &named.collect::<Vec<_>>())?;
     let mut index = Vec::new();
     for (k, (scene, time_step, sample_every)) in distinct.into_iter().enumerate() {
         let file = format!("{k:03}-{}.json", plain(&scene.name));
@@ -65,6 +67,20 @@ pub fn write(folder: &Path, checks: &[&'static Check], sweep: &[f64]) -> Result<
     let line = format!("{count} in {folder}; {INDEX} there has time_step and sample_every of each. Answer each with a trajectory/1.");
     print(&(style().wrapped("", "", &line) + "\n"))?;
     Ok(Answer::Yes)
+}
+
+/// Refuses a folder with scenes of another call, which would be answered as if they were of this one.
+fn refuse_others(folder: &Path, named: &[String]) -> Result<()> {
+    let Ok(text) = std::fs::read_to_string(folder.join(INDEX)) else { return Ok(()) };
+    let old: Vec<serde_json::Value> = serde_json::from_str(&text).unwrap_or_default();
+    let old = old.iter().filter_map(|request| request["file"].as_str());
+    match old.filter(|file| folder.join(file).exists()).find(|file| !named.iter().any(|name| name == file)) {
+        Some(file) => {
+            let problem = format!("is {}, which has scenes of another call, such as {file}", folder.display());
+            Err(Error::invalid("--write-scenes", problem, "give an empty folder, or empty this one"))
+        }
+        None => Ok(()),
+    }
 }
 
 /// The list of what is asked for.

@@ -8,6 +8,12 @@ use crate::{Error, Result};
 
 /// The selected checks, in the order of the registry.
 pub fn checks(arguments: &Arguments) -> Result<Vec<&'static Check>> {
+    for (option, names) in [("--only", &arguments.only), ("--skip", &arguments.skip)] {
+        if names.iter().any(|name| name.trim().is_empty()) {
+            // it is contained in every name
+            return Err(Error::invalid(option, "has an empty name", "name checks or parts of their names, separated by commas"));
+        }
+    }
     for name in arguments.only.iter().chain(&arguments.skip) {
         if !checks::all().any(|check| check.name.contains(name.as_str())) {
             let cure = suggestion(name, checks::all().map(|check| check.name), "`moreau gate --list` shows every check");

@@ -132,6 +132,8 @@ fn units(description: &Description) -> Seen {
         if let (Some(expected), OneOrMany::One(unit)) = (expected_unit(model.law.as_deref(), name), &parameter.unit) {
             let fits = unit::parse(unit).ok() == unit::parse(expected).ok();
             demand(fits, || format!("{} is given in `{unit}`", field()), &format!("the law has it in `{expected}`: convert it"))?;
+            let is_negative = matches!(parameter.value, OneOrMany::One(value) if value < 0.0);
+            demand(!is_negative, || format!("{} is negative", field()), "every number of the law is 0 or more")?;
         }
     }
     Ok(())
@@ -198,6 +200,8 @@ mod tests {
         assert_eq!(seen(&description("bouncy", "rigid", json!({}))), law);
         assert_eq!(seen(&description("coulomb", "rigid", json!({"x": {"value": [1, 2], "unit": ["m"]}}))), units);
         assert_eq!(seen(&description("coulomb", "rigid", json!({"x": {"value": 1, "unit": ["m"]}}))), units);
+        let deep = |depth: f64| description("coulomb", "rigid", json!({"penetration_allowance": {"value": depth, "unit": "m"}}));
+        assert_eq!((seen(&deep(0.0)), seen(&deep(-0.001))), (vec![], units.iter().map(ToString::to_string).collect()));
         let mut nameless = description("coulomb", "rigid", json!({}));
         nameless.version.clear();
         nameless.levels.clear();

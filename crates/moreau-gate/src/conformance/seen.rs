@@ -90,6 +90,10 @@ pub(super) fn demand(met: bool, why: impl FnOnce() -> String, cure: &str) -> See
 pub(super) fn refused(refusal: Refusal) -> ProbeOutcome {
     match refusal {
         Refusal::Unsupported(reason) => skipped(format!("unsupported: {reason}")),
-        Refusal::Errored(cause) => problem(cause, "answer the request with a result, or with `unsupported` and the reason"),
+        Refusal::Errored(cause) => {
+            let cure = "answer the request with a result, or with `unsupported` and the reason; what crashes an engine it tells on \
+                        standard error, and one that is slow may be given more by --time-limit";
+            problem(cause, cure)
+        }
     }
 }

@@ -189,7 +189,9 @@ pub struct Points {
 /// # Errors
 /// Names the field.
 pub fn description(text: &str) -> moreau_exact::Result<Description> {
-    read_object(text, "describe")
+    let description: Description = read_object(text, "description")?;
+    description.validate()?;
+    Ok(description)
 }
 
 /// Reads and validates the result of `simulate`.

@@ -161,7 +161,8 @@ pub(super) mod testing {
         use crate::drake::touching::testing::{apart, both, heap};
         let (mechanism, state) = heap();
         let at = StepContext::new(mechanism.as_ref(), &state, 0.01).expect("a step");
-        let laws: [fn(Vec<Touch>) -> Box<dyn Potential>; 2] = [crate::drake::lagged::tests::law, crate::drake::similar::tests::law];
+        type Law = fn(Vec<Touch>) -> Box<dyn Potential>;
+        let laws: [Law; 2] = [crate::drake::lagged::tests::law, crate::drake::similar::tests::law];
         for law in laws {
             let [free, linked] = both(&at).map(|assembled| {
                 let touches = touches(Material::default(), &at, &assembled).expect("finite");

@@ -57,7 +57,8 @@ impl Posed {
         if let Some(fields) = streamed::read(file, limit) {
             return Self::of_fields(fields).map_err(|error| error.in_file(file));
         }
-        let text = match read_problem(file, limit, &format!("allow more with {}", memory::raised_by())) {
+        let more = format!("allow {TEXT_SHARE} times the size of the file with {}", memory::raised_by());
+        let text = match read_problem(file, limit, &more) {
             Err(Error::Read { .. }) if is_named_hdf5 && file.is_file() => return Err(no_hdf5().in_file(file)),
             read => read?,
         };

@@ -3,8 +3,8 @@
 //! ```text
 //!     Δ ← Δ − α (M + Hᵀ∇²s H)⁻¹ (MΔ − Hᵀr) ,      α exact .
 //! ```
-//! The Hessian is factored by Cholesky over the bodies that pieces join; M makes it positive definite in every zone. While no contact changes its zone and none slips on a
-//! round cone the cost is quadratic and one step ends at its minimiser.
+//! The Hessian is factored by Cholesky over the bodies that pieces join; M makes it positive definite in every zone. While no contact
+//! changes its zone and none slips on a round cone the cost is quadratic and one step ends at its minimiser.
 
 use super::line_search::exact_step;
 use super::{GaussProgram, Minimiser, Progress, through_program};
