@@ -1,10 +1,11 @@
 //! The bench a check works at: the engine with its description, and replies that have been looked at before they are used.
 
+use crate::accounted::Accounted;
 use crate::description::Friction;
 use crate::model::Model;
 use crate::model::addition::Addition;
 use crate::tolerance::{PERTURBATION, SAME_TIME};
-use crate::{Description, Engine, Options, Refusal, Reply};
+use crate::{Description, Engine, Measurement, Options, Refusal, Reply};
 use moreau_contact::problem::{ContactProblem, Solution};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::trajectory::Trajectory;
@@ -19,12 +20,14 @@ pub struct Bench<'a> {
     perturbation: f64,
     /// What the check predicts where the engine declares it.
     predicted: &'static [Addition],
+    /// What is wrong with the impulses of any answer.
+    accounted: Accounted,
 }
 
 impl<'a> Bench<'a> {
     /// The engine with the description it gave under these options.
     pub fn new(engine: &'a mut dyn Engine, description: &'a Description, options: &'a Options) -> Self {
-        Bench { engine, description, options, perturbation: 0.0, predicted: &[] }
+        Bench { engine, description, options, perturbation: 0.0, predicted: &[], accounted: Accounted::default() }
     }
 
     /// The bench of the `repeat`-th measurement: gravity and linear velocities are changed by ±1, ±2, … times 2⁻³⁰ of themselves, which
@@ -33,6 +36,11 @@ impl<'a> Bench<'a> {
         let sign = if repeat % 2 == 1 { 1.0 } else { -1.0 };
         self.perturbation = sign * repeat.div_ceil(2) as f64 * PERTURBATION;
         self
+    }
+
+    /// What is wrong with the impulses that were reported in the answers.
+    pub fn wrong_impulses(self) -> impl Iterator<Item = Measurement> {
+        self.accounted.wrong()
     }
 
     /// What the engine said of itself.
@@ -104,6 +112,11 @@ impl<'a> Bench<'a> {
         options.extend(more.clone());
         let trajectory = self.engine.simulate(&scene, time_step, sample_every, &options)?;
         answers(&trajectory, &scene, time_step, steps, sample_every).map_err(Refusal::Errored)?;
+        let may_sleep = self.description.sleeping.as_ref().is_some_and(|option| options.get(option) != Some(&false.into()));
+        // what sleeps has contacts, and need not report them
+        if !may_sleep {
+            self.accounted.look_at(&trajectory, self.description);
+        }
         Ok(trajectory)
     }
 

@@ -9,6 +9,7 @@
 
 #[cfg(test)]
 mod absurd_tests;
+mod accounted;
 pub mod audit;
 pub mod baseline;
 pub mod bench;

@@ -162,11 +162,13 @@ fn perform(engine: &mut dyn Engine, description: &Description, options: &Options
         return Err(Refusal::unsupported(missing_level(task.check.level)));
     }
     let mut bench = Bench::new(engine, description, options).perturbed(repeat);
-    match (task.check.run, task.time_step) {
+    let mut measured = match (task.check.run, task.time_step) {
         (Run::EachStep(run), Some(h)) => run(&mut bench, h),
         (Run::Once(run), None) => run(&mut bench),
         _ => Err(Refusal::errored("a check that needs a time step was asked without one")),
-    }
+    }?;
+    measured.extend(bench.wrong_impulses());
+    Ok(measured)
 }
 
 fn missing_level(level: Level) -> &'static str {

@@ -64,6 +64,11 @@ pub const SPREADS: f64 = 4.3;
 /// Required: of a baseline that is compared on another processor, by its users.
 pub const NEWS: f64 = 1.0 / 1024.0;
 
+/// Part of the momentum that goes into an interval which its reported impulses may leave unaccounted for, where nothing more exact is
+/// asked: a sign, a missing record or another body leave all of a term, and what a solver leaves is [`SOLVED`].
+/// Set.
+pub const UNACCOUNTED: f64 = 0.5;
+
 /// Orders up to this are called constant: half the smallest order that a proven bound here has (½, the graph distance of a plastic impact).
 /// Derived.
 pub const CONSTANT_ORDER: f64 = 0.25;
