@@ -7,8 +7,9 @@
 //!     wandering  the motion of a sound engine, in the n-th answer with n t (1, 1, 0) m/s besides
 //! ```
 
+use crate::accounted::is_of_any_answer;
 use crate::runner::run;
-use crate::{Description, Engine, Options, Plan, Reply, Verdict, checks, own};
+use crate::{CheckOutcome, Description, Engine, Options, Plan, Reply, StepOutcome, Verdict, checks, own};
 use moreau_contact::problem::{ContactProblem, Solution};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::trajectory::Trajectory;
@@ -259,6 +260,29 @@ impl Engine for Engineless {
     }
 }
 
+/// What the check itself found, without what every answer is asked.
+fn own_outcome(outcome: CheckOutcome) -> CheckOutcome {
+    let own = |step: StepOutcome| match step.reason {
+        None => {
+            let asked = step.measurements.into_iter().filter(|one| !is_of_any_answer(one)).collect();
+            StepOutcome::new(step.time_step, Ok(asked))
+        }
+        Some(_) => step,
+    };
+    CheckOutcome::new(&outcome.check, outcome.steps.into_iter().map(own).collect())
+}
+
+#[test]
+fn what_rests_without_impulses_fails_checks_that_ask_for_none() {
+    let make = || -> Box<dyn Engine> { Box::new(Engineless::new(Frozen)) };
+    let checks = ["rest/drift", "stack/five"].map(|name| checks::all().find(|check| check.name == name).expect("a check")).to_vec();
+    let plan = Plan { checks, sweep: vec![STEP], options: Options::new(), jobs: 1, repeats: 1, progress: &|| {} };
+    for outcome in run(&make, &plan).expect("it describes itself").checks {
+        assert!(outcome.steps[0].measurements.iter().any(is_of_any_answer), "{}", outcome.check);
+        assert_eq!((outcome.verdict, own_outcome(outcome).verdict), (Verdict::Fail, Verdict::Pass));
+    }
+}
+
 #[test]
 fn every_check_fails_what_no_law_knows_or_says_why_not() {
     let mut wrong = String::new();
@@ -266,7 +290,7 @@ fn every_check_fails_what_no_law_knows_or_says_why_not() {
         let make = || -> Box<dyn Engine> { Box::new(Engineless::new(absurd)) };
         let plan =
             Plan { checks: checks::all().collect(), sweep: vec![STEP], options: Options::new(), jobs: 1, repeats: 1, progress: &|| {} };
-        for outcome in run(&make, &plan).expect("it describes itself").checks {
+        for outcome in run(&make, &plan).expect("it describes itself").checks.into_iter().map(own_outcome) {
             let right = is_right(&outcome.check, absurd);
             let taken = matches!(outcome.verdict, Verdict::Pass | Verdict::Difference);
             if taken != right {

@@ -15,6 +15,18 @@ use moreau_dynamics::scenes::Body;
 use moreau_dynamics::trajectory::{BodyTrack, ContactRecord, Trajectory};
 use nalgebra::Vector3;
 
+/// The ground pulls.
+const PULLS: &str = "reported impulse with which the ground pulls";
+
+/// Momentum comes from nowhere.
+const UNACCOUNTED_FOR: &str = "momentum that the reported impulses do not account for";
+
+/// Whether it is one of these measurements, which no check asked for.
+#[cfg(test)]
+pub fn is_of_any_answer(measurement: &Measurement) -> bool {
+    [PULLS, UNACCOUNTED_FOR].contains(&measurement.quantity.as_str())
+}
+
 /// What is wrong with the impulses of the answers so far.
 #[derive(Default)]
 pub struct Accounted {
@@ -59,7 +71,7 @@ fn pulling(trajectory: &Trajectory, epsilon: f64) -> Option<Measurement> {
     let most = from_ground.map(|contact| -Vector3::from(contact.impulse).dot(&normal)).fold(0.0, f64::max);
     let allowed = SOLVED * size + audit_rounding(epsilon, size);
     let ideal = Expectation::at_most(0.0, allowed, "the ground pushes, p·n ≥ 0");
-    (most > allowed).then(|| Measurement::new("reported impulse with which the ground pulls", "N*s", most, ideal))
+    (most > allowed).then(|| Measurement::new(PULLS, "N*s", most, ideal))
 }
 
 fn unaccounted(trajectory: &Trajectory, epsilon: f64) -> Option<Measurement> {
@@ -77,7 +89,7 @@ fn unaccounted(trajectory: &Trajectory, epsilon: f64) -> Option<Measurement> {
     }
     let (off, allowed) = worst?;
     let ideal = Expectation::at_most(0.0, allowed, "gravity and the reported impulses change momentum");
-    Some(Measurement::new("momentum that the reported impulses do not account for", "N*s", off, ideal))
+    Some(Measurement::new(UNACCOUNTED_FOR, "N*s", off, ideal))
 }
 
 /// The sample of a record and its impulse on a body, if it acts on it.
@@ -139,7 +151,7 @@ mod tests {
     #[test]
     fn a_sign_a_missing_record_and_another_body_show_in_any_scene() {
         type Change = fn(&mut Trajectory);
-        let [pulls, lost] = ["reported impulse with which the ground pulls", "momentum that the reported impulses do not account for"];
+        let [pulls, lost] = [PULLS, UNACCOUNTED_FOR];
         let between = |contact: &ContactRecord| contact.bodies[1] != "ground";
         assert!(ours("box-stack", 5).0.contacts.iter().any(between), "boxes touch each other");
         let mistakes: [(&[&str], Change); 4] = [
