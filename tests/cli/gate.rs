@@ -237,7 +237,7 @@ fn what_is_not_judged_by_files_has_no_scenes_to_write() {
         write(words).is_refused(&["`--write-scenes`", "no scene to write", "not judged by files", "`moreau gate --solver -- COMMAND`"]);
         assert!(folder.names().is_empty(), "{words:?}: {:?}", folder.names());
     }
-    write(&["--only", "ball/", "--skip", "ball/"]).is_refused(&["`--only and --skip and --write-scenes`", "leave no check together"]);
+    write(&["--only", "ball/", "--skip", "ball/"]).is_refused(&["`--only` and `--skip` and `--write-scenes`", "leave no check together"]);
     write(&["--only", "incline/slide"]).is_refused(&["no scene to write", "take shorter ones with `--steps`"]);
 }
 

@@ -11,9 +11,10 @@
 use crate::model::Model;
 use crate::tolerance::{SOLVED, UNACCOUNTED, audit_rounding};
 use crate::{Description, Expectation, Kind, Measurement};
-use moreau_dynamics::scenes::Body;
-use moreau_dynamics::trajectory::{BodyTrack, ContactRecord, Trajectory};
+use moreau_dynamics::scenes::{Body, Scene};
+use moreau_dynamics::trajectory::{BodyTrack, Trajectory};
 use nalgebra::Vector3;
+use std::collections::HashMap;
 
 /// The ground pulls.
 const PULLS: &str = "reported impulse with which the ground pulls";
@@ -40,12 +41,12 @@ fn is_asked(description: &Description) -> bool {
 }
 
 impl Accounted {
-    /// Looks at one more answer; what is worst stays.
-    pub fn look_at(&mut self, trajectory: &Trajectory, description: &Description) {
+    /// Looks at one more answer to this scene; what is worst stays.
+    pub fn look_at(&mut self, scene: &Scene, trajectory: &Trajectory, description: &Description) {
         if is_asked(description) {
             let epsilon = description.precision.epsilon();
-            worse(&mut self.pulling, pulling(trajectory, epsilon));
-            worse(&mut self.unaccounted, unaccounted(trajectory, epsilon));
+            worse(&mut self.pulling, pulling(scene, trajectory, epsilon));
+            worse(&mut self.unaccounted, unaccounted(scene, trajectory, epsilon));
         }
     }
 
@@ -64,8 +65,8 @@ fn worse(kept: &mut Option<Measurement>, found: Option<Measurement>) {
     }
 }
 
-fn pulling(trajectory: &Trajectory, epsilon: f64) -> Option<Measurement> {
-    let normal = Vector3::from(trajectory.scene.ground.as_ref()?.normal);
+fn pulling(scene: &Scene, trajectory: &Trajectory, epsilon: f64) -> Option<Measurement> {
+    let normal = Vector3::from(scene.ground.as_ref()?.normal);
     let size = trajectory.contacts.iter().map(|contact| Vector3::from(contact.impulse).norm()).fold(0.0, f64::max);
     let from_ground = trajectory.contacts.iter().filter(|contact| contact.bodies[1] == "ground");
     let most = from_ground.map(|contact| -Vector3::from(contact.impulse).dot(&normal)).fold(0.0, f64::max);
@@ -74,50 +75,53 @@ fn pulling(trajectory: &Trajectory, epsilon: f64) -> Option<Measurement> {
     (most > allowed).then(|| Measurement::new(PULLS, "N*s", most, ideal))
 }
 
-fn unaccounted(trajectory: &Trajectory, epsilon: f64) -> Option<Measurement> {
-    let bodies = trajectory.bodies.iter().zip(&trajectory.scene.bodies).filter(|(_, body)| body.is_free());
-    let mut worst: Option<(f64, f64)> = None;
-    for (track, body) in bodies {
-        let own: Vec<(usize, Vector3<f64>)> = trajectory.contacts.iter().filter_map(|contact| acting(contact, body)).collect();
-        for k in 1..trajectory.times.len() {
-            let here = own.iter().filter(|(sample, _)| *sample == k).map(|(_, impulse)| *impulse);
-            let (off, allowed) = balance(trajectory, track, body, k, here, epsilon);
-            if off > allowed && worst.is_none_or(|(most, _)| off > most) {
-                worst = Some((off, allowed));
-            }
-        }
-    }
-    let (off, allowed) = worst?;
+fn unaccounted(scene: &Scene, trajectory: &Trajectory, epsilon: f64) -> Option<Measurement> {
+    let judged =
+        balances(scene, trajectory).into_iter().map(|one| (one.off, UNACCOUNTED * one.terms + audit_rounding(epsilon, one.rounded)));
+    let (off, allowed) = judged.filter(|(off, allowed)| off > allowed).max_by(|one, other| one.0.total_cmp(&other.0))?;
     let ideal = Expectation::at_most(0.0, allowed, "gravity and the reported impulses change momentum");
     Some(Measurement::new(UNACCOUNTED_FOR, "N*s", off, ideal))
 }
 
-/// The sample of a record and its impulse on a body, if it acts on it.
-fn acting(contact: &ContactRecord, body: &Body) -> Option<(usize, Vector3<f64>)> {
-    let sign = match contact.bodies.iter().position(|name| *name == body.name)? {
-        0 => 1.0,
-        _ => -1.0,
-    };
-    Some((contact.sample, sign * Vector3::from(contact.impulse)))
+/// The momentum \[N·s\] of one free body over one interval.
+pub struct Balance {
+    /// ‖m Δv − m g Δt − Σ p‖.
+    pub off: f64,
+    /// m ‖Δv‖ + m ‖g‖ Δt + Σ ‖p‖.
+    pub terms: f64,
+    /// What rounds: these and the momenta before and after in every step, and m ‖g‖ t, for Δt is a difference of times.
+    pub rounded: f64,
 }
 
-/// Momentum of the interval before sample k that is not accounted for, and what of it is allowed.
-fn balance(
-    trajectory: &Trajectory,
-    track: &BodyTrack,
-    body: &Body,
-    k: usize,
-    impulses: impl Iterator<Item = Vector3<f64>>,
-    epsilon: f64,
-) -> (f64, f64) {
-    let duration = trajectory.times[k] - trajectory.times[k - 1];
-    let [before, after] = [k - 1, k].map(|k| body.mass * Vector3::from(track.linear_velocity[k]));
-    let fallen = body.mass * duration * Vector3::from(trajectory.scene.gravity);
-    let (sum, size) = impulses.fold((Vector3::zeros(), 0.0), |(sum, size), one| (sum + one, size + one.norm()));
-    let terms = (after - before).norm() + fallen.norm() + size;
-    let steps = (duration / trajectory.time_step).max(1.0);
-    let rounding = audit_rounding(epsilon, steps * (terms + before.norm() + after.norm()));
-    ((after - before - fallen - sum).norm(), UNACCOUNTED * terms + rounding)
+/// The balances of every free body of a scene over every interval of a motion.
+pub fn balances(scene: &Scene, trajectory: &Trajectory) -> Vec<Balance> {
+    let (times, gravity) = (&trajectory.times, Vector3::from(scene.gravity));
+    let free: Vec<_> = trajectory.bodies.iter().zip(&scene.bodies).filter(|(_, body)| body.is_free()).collect();
+    let place: HashMap<&str, usize> = free.iter().enumerate().map(|(k, (_, body))| (body.name.as_str(), k)).collect();
+    // Σ p and Σ ‖p‖ of every body and sample, in one pass
+    let mut pushes = vec![(Vector3::zeros(), 0.0); free.len() * times.len()];
+    for contact in &trajectory.contacts {
+        for (name, sign) in contact.bodies.iter().zip([1.0, -1.0]) {
+            if let Some(body) = place.get(name.as_str()) {
+                let (sum, size) = &mut pushes[body * times.len() + contact.sample];
+                let impulse = Vector3::from(contact.impulse);
+                (*sum, *size) = (*sum + sign * impulse, *size + impulse.norm());
+            }
+        }
+    }
+    let of = |(number, (track, body)): (usize, &(&BodyTrack, &Body))| {
+        let momentum = |k: usize| body.mass * Vector3::from(track.linear_velocity[k]);
+        let (own, mass) = (&pushes[number * times.len()..][..times.len()], body.mass);
+        let over = |k: usize| {
+            let (before, after, duration, (sum, size)) = (momentum(k - 1), momentum(k), times[k] - times[k - 1], own[k]);
+            let (change, fallen) = (after - before, mass * duration * gravity);
+            let (terms, steps) = (change.norm() + fallen.norm() + size, (duration / trajectory.time_step).max(1.0));
+            let rounded = steps * (terms + before.norm() + after.norm()) + mass * times[k] * gravity.norm();
+            Balance { off: (change - fallen - sum).norm(), terms, rounded }
+        };
+        (1..times.len()).map(over).collect::<Vec<_>>()
+    };
+    free.iter().enumerate().flat_map(of).collect()
 }
 
 #[cfg(test)]
@@ -125,6 +129,7 @@ mod tests {
     use super::*;
     use crate::{Engine, Options, own};
     use moreau_dynamics::scenes::named;
+    use moreau_dynamics::trajectory::ContactRecord;
 
     fn ours(scene: &str, every: usize) -> (Trajectory, Description) {
         let mut engine = own::by_name("moreau-jean").expect("built in");
@@ -134,7 +139,7 @@ mod tests {
 
     fn wrong(trajectory: &Trajectory, description: &Description) -> Vec<String> {
         let mut accounted = Accounted::default();
-        accounted.look_at(trajectory, description);
+        accounted.look_at(&trajectory.scene, trajectory, description);
         accounted.wrong().map(|one| one.quantity).collect()
     }
 

@@ -10,6 +10,7 @@
 //! A body that nothing moves has no momentum that changes: its velocity is the prescribed one. One that is driven does work on what it
 //! touches, and then the energy says nothing.
 
+use crate::accounted::{Balance, balances};
 use crate::description::Friction;
 use crate::tolerance::audit_rounding;
 use crate::tolerance::conveyor::belt_speed;
@@ -91,29 +92,11 @@ fn beginning(scene: &State, sample: &State, epsilon: f64) -> Measurement {
 }
 
 fn momentum(trajectory: &Trajectory, epsilon: f64) -> Measurement {
-    let gravity = Vector3::from(trajectory.scene.gravity);
-    let (mut worst, mut scale) = (0.0f64, 0.0f64);
-    for (track, body) in trajectory.bodies.iter().zip(&trajectory.scene.bodies).filter(|(_, body)| body.is_free()) {
-        for k in 1..trajectory.times.len() {
-            let duration = trajectory.times[k] - trajectory.times[k - 1];
-            let change = body.mass * (Vector3::from(track.linear_velocity[k]) - Vector3::from(track.linear_velocity[k - 1]));
-            let here = trajectory.contacts.iter().filter(|contact| contact.sample == k);
-            let impulses = here.map(|contact| sign(&contact.bodies, &body.name) * Vector3::from(contact.impulse));
-            let (impulse, pushed) = impulses.fold((Vector3::zeros(), 0.0), |(sum, size), one| (sum + one, size + one.norm()));
-            worst = worst.max((change - body.mass * duration * gravity - impulse).norm());
-            let steps = (duration / trajectory.time_step).max(1.0);
-            let fallen = body.mass * trajectory.times[k] * gravity.norm();
-            let size = change.norm() + body.mass * Vector3::from(track.linear_velocity[k]).norm() + pushed;
-            scale = scale.max(steps * size + fallen);
-        }
-    }
+    let balances = balances(&trajectory.scene, trajectory);
+    let largest = |of: fn(&Balance) -> f64| balances.iter().map(of).fold(0.0, f64::max);
+    let allowed = audit_rounding(epsilon, largest(|one| one.rounded));
     let why = "gravity and the reported impulses make the whole change of momentum";
-    Measurement::new("momentum not accounted for", "N*s", worst, Expectation::equal(0.0, audit_rounding(epsilon, scale), why))
-}
-
-/// +1 for the body the impulse acts on, −1 for the other, 0 for a stranger.
-fn sign(bodies: &[String; 2], name: &str) -> f64 {
-    f64::from(u8::from(bodies[0] == name)) - f64::from(u8::from(bodies[1] == name))
+    Measurement::new("momentum not accounted for", "N*s", largest(|one| one.off), Expectation::equal(0.0, allowed, why))
 }
 
 /// The friction of pairs with the ground: their points share one normal, so that the sum of impulses lies in the cone if each does.

@@ -115,7 +115,7 @@ impl<'a> Bench<'a> {
         let may_sleep = self.description.sleeping.as_ref().is_some_and(|option| options.get(option) != Some(&false.into()));
         // what sleeps has contacts, and need not report them
         if !may_sleep {
-            self.accounted.look_at(&trajectory, self.description);
+            self.accounted.look_at(&scene, &trajectory, self.description);
         }
         Ok(trajectory)
     }

@@ -72,7 +72,10 @@ pub fn write(folder: &Path, checks: &[&'static Check], sweep: &[f64]) -> Result<
 /// Refuses a folder with scenes of another call, which would be answered as if they were of this one.
 fn refuse_others(folder: &Path, named: &[String]) -> Result<()> {
     let Ok(text) = std::fs::read_to_string(folder.join(INDEX)) else { return Ok(()) };
-    let old: Vec<serde_json::Value> = serde_json::from_str(&text).unwrap_or_default();
+    let Ok(old) = serde_json::from_str::<Vec<serde_json::Value>>(&text) else {
+        let problem = format!("is {}, whose {INDEX} is no list of scenes", folder.display());
+        return Err(Error::invalid("--write-scenes", problem, "give an empty folder"));
+    };
     let old = old.iter().filter_map(|request| request["file"].as_str());
     match old.filter(|file| folder.join(file).exists()).find(|file| !named.iter().any(|name| name == file)) {
         Some(file) => {

@@ -55,7 +55,7 @@ fn none_left(arguments: &Arguments) -> Error {
     ];
     let options: Vec<&str> = asked.into_iter().filter_map(|(option, is_asked)| is_asked.then_some(option)).collect();
     let problem = if options.len() > 1 { "leave no check together" } else { "leaves no check" };
-    Error::invalid(options.join(" and "), problem, "`moreau gate --list` shows every check with its level")
+    Error::invalid(options.join("` and `"), problem, "`moreau gate --list` shows every check with its level")
 }
 
 /// The time steps of the sweep \[s\].

@@ -203,7 +203,7 @@ fn a_known_issue_covers_its_quantity_step_and_values_and_nothing_else() {
 fn two_values_that_are_told_apart_by_many_digits_only_are_told_with_them() {
     let changes = Baseline::of(&value(1.0, 0.0)).compare(&value(1.001_000_01, 0.0), day("2026-11-21")).expect("comparable");
     assert!(changes.iter().any(|change| change.what.contains("1.001 m instead of 1")), "{changes:?}");
-    let tight = |value| report(Measurement::new("error", "m", value, Expectation::equal(0.0, 1e-9, "")));
+    let tight = |value| report(Measurement::new("error", "m", value, Expectation::equal(0.0, crate::tolerance::PERTURBATION, "")));
     let changes = Baseline::of(&tight(1.0)).compare(&tight(1.000_000_01), day("2026-11-21")).expect("comparable");
     assert!(changes[0].what.contains("1.00000001e0 m instead of 1e0"), "{changes:?}");
 }
