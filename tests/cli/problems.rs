@@ -36,6 +36,16 @@ fn exported_problems_are_certified_in_both_formats_and_what_has_no_place_is_refu
     assert_eq!(moreau(&["certify", &folder.path("single-slide.hdf5")]).code, 0);
     moreau(&["problems", "export", "single-associated", &place, "--to", "fclib"]).is_refused(&["FCLIB", "contact-problem/1"]);
     moreau(&["problems", "export", "single-slide"]).is_refused(&["FOLDER"]);
+    // the same again is nothing new; what was changed is kept
+    assert_eq!(moreau(&["problems", "export", "single-slide", &place]).code, 0);
+    let changed = folder.path("single-slide.json");
+    std::fs::write(&changed, "mine").expect("can be written");
+    moreau(&["problems", "export", "single-slide", &place]).is_refused(&[
+        "`FOLDER`: has",
+        "single-slide.json",
+        "not what would be written",
+    ]);
+    assert_eq!(std::fs::read_to_string(&changed).expect("is there"), "mine");
     moreau(&["problems", "export", "--all"]).is_refused(&["`FOLDER`: is missing", "--all FOLDER"]);
     moreau(&["problems", "export"]).is_refused(&["`NAME`: is missing", "--all"]);
     moreau(&["problems", "export", "single-slide", &place, "--all"]).is_refused(&["--all"]);

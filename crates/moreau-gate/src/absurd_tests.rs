@@ -7,7 +7,7 @@
 //!     wandering  the motion of a sound engine, in the n-th answer with n t (1, 1, 0) m/s besides
 //! ```
 
-use crate::accounted::is_of_any_answer;
+use crate::any_answer::is_of_any_answer;
 use crate::runner::run;
 use crate::{CheckOutcome, Description, Engine, Options, Plan, Reply, StepOutcome, Verdict, checks, own};
 use moreau_contact::problem::{ContactProblem, Solution};

@@ -17,52 +17,23 @@ use nalgebra::Vector3;
 use std::collections::HashMap;
 
 /// The ground pulls.
-const PULLS: &str = "reported impulse with which the ground pulls";
+pub const PULLS: &str = "reported impulse with which the ground pulls";
 
 /// Momentum comes from nowhere.
-const UNACCOUNTED_FOR: &str = "momentum that the reported impulses do not account for";
-
-/// Whether it is one of these measurements, which no check asked for.
-#[cfg(test)]
-pub fn is_of_any_answer(measurement: &Measurement) -> bool {
-    [PULLS, UNACCOUNTED_FOR].contains(&measurement.quantity.as_str())
-}
-
-/// What is wrong with the impulses of the answers so far.
-#[derive(Default)]
-pub struct Accounted {
-    pulling: Option<Measurement>,
-    unaccounted: Option<Measurement>,
-}
+pub const UNACCOUNTED_FOR: &str = "momentum that the reported impulses do not account for";
 
 /// Whether impulses are asked for at all.
 fn is_asked(description: &Description) -> bool {
     description.reports_contacts && description.contact_model.kind == Kind::Rigid && Model::of(description).damping().is_none()
 }
 
-impl Accounted {
-    /// Looks at one more answer to this scene; what is worst stays.
-    pub fn look_at(&mut self, scene: &Scene, trajectory: &Trajectory, description: &Description) {
-        if is_asked(description) {
-            let epsilon = description.precision.epsilon();
-            worse(&mut self.pulling, pulling(scene, trajectory, epsilon));
-            worse(&mut self.unaccounted, unaccounted(scene, trajectory, epsilon));
-        }
+/// What is wrong with the impulses of an answer.
+pub fn wrong(scene: &Scene, trajectory: &Trajectory, description: &Description) -> Vec<Measurement> {
+    if !is_asked(description) {
+        return Vec::new();
     }
-
-    /// The measurements of what is wrong.
-    pub fn wrong(self) -> impl Iterator<Item = Measurement> {
-        self.pulling.into_iter().chain(self.unaccounted)
-    }
-}
-
-/// Keeps the measurement whose value is larger.
-fn worse(kept: &mut Option<Measurement>, found: Option<Measurement>) {
-    if let Some(found) = found
-        && kept.as_ref().is_none_or(|kept| kept.value < found.value)
-    {
-        *kept = Some(found);
-    }
+    let epsilon = description.precision.epsilon();
+    pulling(scene, trajectory, epsilon).into_iter().chain(unaccounted(scene, trajectory, epsilon)).collect()
 }
 
 fn pulling(scene: &Scene, trajectory: &Trajectory, epsilon: f64) -> Option<Measurement> {
@@ -126,10 +97,10 @@ pub fn balances(scene: &Scene, trajectory: &Trajectory) -> Vec<Balance> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::{Engine, Options, own};
+    use super::{PULLS, UNACCOUNTED_FOR};
+    use crate::{Description, Engine, Kind, Options, own};
     use moreau_dynamics::scenes::named;
-    use moreau_dynamics::trajectory::ContactRecord;
+    use moreau_dynamics::trajectory::{ContactRecord, Trajectory};
 
     fn ours(scene: &str, every: usize) -> (Trajectory, Description) {
         let mut engine = own::by_name("moreau-jean").expect("built in");
@@ -138,9 +109,7 @@ mod tests {
     }
 
     fn wrong(trajectory: &Trajectory, description: &Description) -> Vec<String> {
-        let mut accounted = Accounted::default();
-        accounted.look_at(&trajectory.scene, trajectory, description);
-        accounted.wrong().map(|one| one.quantity).collect()
+        super::wrong(&trajectory.scene, trajectory, description).into_iter().map(|one| one.quantity).collect()
     }
 
     #[test]

@@ -12,6 +12,7 @@
 
 use crate::accounted::{Balance, balances};
 use crate::description::Friction;
+use crate::moved::beginning;
 use crate::tolerance::audit_rounding;
 use crate::tolerance::conveyor::belt_speed;
 use crate::{CheckOutcome, Description, Expectation, Kind, Measurement, Refusal, Reply, StepOutcome};
@@ -28,10 +29,10 @@ pub fn audit(name: &str, trajectory: &Trajectory, description: &Description) -> 
 }
 
 fn measurements(trajectory: &Trajectory, description: &Description) -> Reply<Vec<Measurement>> {
-    let (mechanism, start) = trajectory.scene.spatial_mechanism().map_err(Refusal::errored)?;
+    let (mechanism, _) = trajectory.scene.spatial_mechanism().map_err(Refusal::errored)?;
     let states: Vec<State> = (0..trajectory.times.len()).map(|k| state(trajectory, k)).collect();
     let epsilon = description.precision.epsilon();
-    let mut found = vec![beginning(&start, &states[0], epsilon)];
+    let mut found = beginning(&trajectory.scene, trajectory, epsilon).to_vec();
     found.extend(unmoved(trajectory, epsilon));
     if description.reports_contacts {
         found.push(momentum(trajectory, epsilon));
@@ -77,18 +78,6 @@ fn state(trajectory: &Trajectory, k: usize) -> State {
         velocity.extend(angular.iter());
     }
     State { time: trajectory.times[k], position: DVector::from_vec(position), velocity: DVector::from_vec(velocity) }
-}
-
-fn beginning(scene: &State, sample: &State, epsilon: f64) -> Measurement {
-    let bodies = (0..scene.position.len() / 7).map(|body| (body * 7, 3));
-    let apart = bodies.map(|(at, size)| (scene.position.rows(at, size) - sample.position.rows(at, size)).norm()).fold(0.0, f64::max);
-    let allowed = audit_rounding(epsilon, scene.position.amax());
-    Measurement::new(
-        "distance of sample 0 from the scene",
-        "m",
-        apart,
-        Expectation::equal(0.0, allowed, "sample 0 is the scene's own state"),
-    )
 }
 
 fn momentum(trajectory: &Trajectory, epsilon: f64) -> Measurement {

@@ -1,6 +1,6 @@
 //! The bench a check works at: the engine with its description, and replies that have been looked at before they are used.
 
-use crate::accounted::Accounted;
+use crate::any_answer::AnyAnswer;
 use crate::description::Friction;
 use crate::model::Model;
 use crate::model::addition::Addition;
@@ -20,14 +20,14 @@ pub struct Bench<'a> {
     perturbation: f64,
     /// What the check predicts where the engine declares it.
     predicted: &'static [Addition],
-    /// What is wrong with the impulses of any answer.
-    accounted: Accounted,
+    /// What is wrong with any answer.
+    any_answer: AnyAnswer,
 }
 
 impl<'a> Bench<'a> {
     /// The engine with the description it gave under these options.
     pub fn new(engine: &'a mut dyn Engine, description: &'a Description, options: &'a Options) -> Self {
-        Bench { engine, description, options, perturbation: 0.0, predicted: &[], accounted: Accounted::default() }
+        Bench { engine, description, options, perturbation: 0.0, predicted: &[], any_answer: AnyAnswer::default() }
     }
 
     /// The bench of the `repeat`-th measurement: gravity and linear velocities are changed by ±1, ±2, … times 2⁻³⁰ of themselves, which
@@ -38,9 +38,9 @@ impl<'a> Bench<'a> {
         self
     }
 
-    /// What is wrong with the impulses that were reported in the answers.
-    pub fn wrong_impulses(self) -> impl Iterator<Item = Measurement> {
-        self.accounted.wrong()
+    /// What is wrong with the answers, whatever was asked.
+    pub fn wrong_in_any_answer(self) -> impl Iterator<Item = Measurement> {
+        self.any_answer.wrong()
     }
 
     /// What the engine said of itself.
@@ -113,10 +113,7 @@ impl<'a> Bench<'a> {
         let trajectory = self.engine.simulate(&scene, time_step, sample_every, &options)?;
         answers(&trajectory, &scene, time_step, steps, sample_every).map_err(Refusal::Errored)?;
         let may_sleep = self.description.sleeping.as_ref().is_some_and(|option| options.get(option) != Some(&false.into()));
-        // what sleeps has contacts, and need not report them
-        if !may_sleep {
-            self.accounted.look_at(&scene, &trajectory, self.description);
-        }
+        self.any_answer.look_at(&scene, &trajectory, self.description, may_sleep)?;
         Ok(trajectory)
     }
 

@@ -10,6 +10,7 @@
 #[cfg(test)]
 mod absurd_tests;
 mod accounted;
+mod any_answer;
 pub mod audit;
 pub mod baseline;
 pub mod bench;
@@ -25,6 +26,7 @@ mod guarded;
 pub mod library;
 pub mod measurement;
 pub mod model;
+mod moved;
 pub mod outcome;
 pub mod own;
 pub mod planted;

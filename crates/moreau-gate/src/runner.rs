@@ -167,7 +167,7 @@ fn perform(engine: &mut dyn Engine, description: &Description, options: &Options
         (Run::Once(run), None) => run(&mut bench),
         _ => Err(Refusal::errored("a check that needs a time step was asked without one")),
     }?;
-    measured.extend(bench.wrong_impulses());
+    measured.extend(bench.wrong_in_any_answer());
     Ok(measured)
 }
 

@@ -52,7 +52,8 @@ Examples:
   moreau problems export box-rough .
   moreau problems export --all problems --to fclib
 
-Exit code 0: written; 2: the problem is not stored, or the format has no place for it. With --all what has no place is passed over.";
+Exit code 0: written; 2: not stored, without a place in the format, or another file has its name.
+With --all what has no place is passed over.";
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
@@ -93,9 +94,21 @@ fn exported(chosen: &[&Stored], arguments: &Arguments, folder: &Path, bar: &Prog
         }
         bar.inc(1);
     }
+    keep_others(&files)?;
     let together: Vec<(&Path, &[u8])> = files.iter().map(|(file, bytes)| (file.as_path(), &bytes[..])).collect();
     write_together(&together)?;
     Ok((problems, files.len()))
+}
+
+/// Refuses to write over what is there, unless it is the same.
+fn keep_others(files: &[(PathBuf, Vec<u8>)]) -> Result<()> {
+    match files.iter().find(|(file, bytes)| file.exists() && !std::fs::read(file).is_ok_and(|there| there == *bytes)) {
+        Some((file, _)) => {
+            let problem = format!("has {}, which is not what would be written there", file.display());
+            Err(Error::invalid("FOLDER", problem, "move that file away, or name another folder"))
+        }
+        None => Ok(()),
+    }
 }
 
 /// The files of one problem.

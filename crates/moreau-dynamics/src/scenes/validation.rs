@@ -19,6 +19,7 @@ impl Scene {
         if self.schema != SCHEMA {
             return Err(Error::invalid("schema", format!("is `{}`", self.schema), format!("use `{SCHEMA}`")));
         }
+        printable("name", &self.name)?;
         finite("gravity", &self.gravity)?;
         if let Some(ground) = &self.ground {
             unit("ground.normal", &ground.normal)?;
@@ -46,6 +47,7 @@ impl Body {
         if self.name.is_empty() || self.name == GROUND {
             return Err(Error::invalid(field("name"), format!("is `{}`", self.name), "`ground` is the plane; use another name"));
         }
+        printable(&field("name"), &self.name)?;
         match self.only_shape().map_err(|problem| Error::invalid(path, problem, ONE_SHAPE))? {
             Shape::Sphere { radius } => positive(&field("sphere.radius"), &[radius])?,
             Shape::Box { half_extents } => positive(&field("box.half_extents"), &half_extents)?,
@@ -152,6 +154,13 @@ fn coefficients(path: &str, friction: Option<f64>, restitution: Option<f64>) -> 
     Ok(())
 }
 
+fn printable(field: &str, text: &str) -> Result<()> {
+    if text.chars().any(char::is_control) {
+        return Err(Error::invalid(field, format!("is {text:?}"), "use a text without control characters, which terminals obey"));
+    }
+    Ok(())
+}
+
 fn finite(field: &str, values: &[f64]) -> Result<()> {
     match values.iter().find(|value| !value.is_finite()) {
         None => Ok(()),
@@ -195,6 +204,10 @@ mod tests {
         assert!(message("\"restitution\": 0.0", "\"restitution\": 1.5").contains("`material.restitution`"));
         assert!(message("\"duration\": 2.0", "\"duration\": 0").contains("`duration`"));
         assert!(message("\"name\": \"ball\"", "\"name\": \"ground\"").contains("`bodies[0].name`"));
+        for (from, field) in [("\"name\": \"ball\"", "`bodies[0].name`"), ("\"name\": \"ball-drop\"", "`name`")] {
+            let told = message(from, "\"name\": \"a\\u001b[2Jb\"");
+            assert!(told.contains(field) && !told.chars().any(char::is_control), "{told:?}");
+        }
         assert!(message("scene/1", "scene/9").contains("`schema`: is \"scene/9\""));
     }
 

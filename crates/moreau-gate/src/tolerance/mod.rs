@@ -69,6 +69,11 @@ pub const NEWS: f64 = 1.0 / 1024.0;
 /// Set.
 pub const UNACCOUNTED: f64 = 0.5;
 
+/// Part of the way of a body by which its poses may be elsewhere than its reported velocities lead, where nothing more exact is asked: a
+/// sign, another body or another frame miss all of it or more.
+/// Set.
+pub const UNMOVED: f64 = 0.5;
+
 /// Orders up to this are called constant: half the smallest order that a proven bound here has (½, the graph distance of a plastic impact).
 /// Derived.
 pub const CONSTANT_ORDER: f64 = 0.25;
