@@ -2,13 +2,14 @@
 //!
 //! ```text
 //!     x_0 = the scene's own, q_0 = ± the scene's own                                                of every body
-//!     ‖Σ d_k‖ ≤ ½ Σ h max‖v‖ + ‖g‖ h t + h max‖v‖ + depth₀      d_k the least of x_k − x_{k−1} − h v, v between v_{k−1} and v_k
+//!     ‖Σ d_k‖ ≤ ½ Σ h max‖v‖ + ‖g‖ h t + 2 h V + depth₀         d_k the least of x_k − x_{k−1} − h v, v between v_{k−1} and v_k
 //! ```
 //! along every axis, and the same of turns about all together, log(q_k q_{k−1}⁻¹) beside h ω, with the last terms over the body's smallest
 //! half width. Whatever the scheme, an impact within a step leaves the motion of that step between those of its two velocities; what moves
-//! bodies without a velocity takes back depths, of which a step makes ‖g‖ h² and an impact h ‖v‖. How exactly bodies move the checks ask,
-//! in their own scenes; a velocity of another body or frame, with another sign or unit shows here, in any scene where it lasts. Asked of
-//! free bodies, where every step is a sample; of turns where a step turns by less than one radian.
+//! bodies without a velocity takes back depths, of which a step makes ‖g‖ h² and an impact 2 h V, V the speed that no point of any body
+//! exceeds. How exactly bodies move the checks ask, in their own scenes; a velocity of another body or frame, with another sign or unit
+//! shows here, in any scene where it lasts. Asked of free bodies, where every step is a sample; of turns where a step turns by less than
+//! one radian.
 
 use crate::tolerance::{UNMOVED, audit_rounding};
 use crate::{Expectation, Measurement};
@@ -49,7 +50,7 @@ pub fn wrong(scene: &Scene, trajectory: &Trajectory, epsilon: f64) -> Result<Vec
     let h = trajectory.time_step;
     let sampled = trajectory.times.windows(2).all(|pair| pair[1] - pair[0] < 1.5 * h);
     if sampled && trajectory.times.len() > 1 {
-        let deepest = deepest(scene)?;
+        let deepest = deepest(scene)? + 2.0 * h * fastest(scene, trajectory);
         let free = || trajectory.bodies.iter().zip(&scene.bodies).filter(|(_, body)| body.is_free());
         found.extend(free().map(|(track, _)| of_places(scene, trajectory, track, deepest, epsilon)));
         found.extend(free().filter_map(|(track, body)| of_turns(scene, trajectory, (track, body), deepest, epsilon)));
@@ -61,6 +62,16 @@ pub fn wrong(scene: &Scene, trajectory: &Trajectory, epsilon: f64) -> Result<Vec
 fn deepest(scene: &Scene) -> Result<f64> {
     let (mechanism, start) = scene.spatial_mechanism()?;
     Ok(mechanism.contacts(&start.position).iter().map(|contact| -contact.gap).fold(0.0, f64::max))
+}
+
+/// V \[m/s\]: ‖v‖ + ‖ω‖ R at most, R the radius of a body.
+fn fastest(scene: &Scene, trajectory: &Trajectory) -> f64 {
+    let of = |(track, body): (&BodyTrack, &Body)| {
+        let radius = body.shape().map_or(0.0, |shape| shape.radius());
+        let speeds = track.linear_velocity.iter().zip(&track.angular_velocity);
+        speeds.map(|(v, spin)| Vector3::from(*v).norm() + radius * Vector3::from(*spin).norm()).fold(0.0, f64::max)
+    };
+    trajectory.bodies.iter().zip(&scene.bodies).map(of).fold(0.0, f64::max)
 }
 
 /// The turn from one orientation to another \[rad\], about axes of the world.
@@ -109,21 +120,20 @@ struct Path {
     size: f64,
     /// Metres in a unit.
     unit: f64,
-    /// Of the whole scene at its start \[m\].
+    /// What taking back the depths of the start and of an impact may move \[m\].
     deepest: f64,
 }
 
 /// The sum that is furthest from what is allowed, and this.
 fn most(path: &Path, scene: &Scene, trajectory: &Trajectory, epsilon: f64) -> (f64, f64) {
     let (h, gravity) = (trajectory.time_step, Vector3::from(scene.gravity).norm());
-    let (mut sum, mut way, mut fastest) = (Vector3::zeros(), 0.0, 0.0f64);
+    let (mut sum, mut way) = (Vector3::zeros(), 0.0);
     let mut worst = (0.0, 0.0);
     for (k, (moved, pair)) in path.moves.iter().zip(path.velocities.windows(2)).enumerate() {
         sum += least(moved, &(h * pair[0]), &(h * pair[1]));
-        let speed = pair[0].norm().max(pair[1].norm());
-        (way, fastest) = (way + h * speed, fastest.max(speed));
+        way += h * pair[0].norm().max(pair[1].norm());
         let steps = (k + 1) as f64;
-        let taken_back = (gravity * h * h * steps + path.deepest) / path.unit + h * fastest;
+        let taken_back = (gravity * h * h * steps + path.deepest) / path.unit;
         let allowed = UNMOVED * way + taken_back + audit_rounding(epsilon, steps * (path.size + way));
         if length(&sum) - allowed > worst.0 - worst.1 || k == 0 {
             worst = (length(&sum), allowed);
