@@ -197,7 +197,7 @@ mod tests {
         let both: [(&str, Change); 3] = [
             (STARTS_ELSEWHERE, |t| every(t, |body| body.position.iter_mut().for_each(|x| x[0] += 0.1))),
             (MOVED, |t| every(t, |body| body.position[5] = [1e300, 0.0, 0.0])),
-            (MOVED, |t| every(t, |body| body.linear_velocity.iter_mut().for_each(|v| v[0] += 0.3))),
+            (MOVED, |t| every(t, |body| body.linear_velocity.iter_mut().for_each(|v| v[0] += 1.0))),
         ];
         mistakes("box-stack", 0.001, &both);
         mistakes("bouncing-ball", 0.01, &both);
@@ -206,7 +206,7 @@ mod tests {
             0.01,
             &[
                 (MOVED, |t| every(t, |body| body.linear_velocity.iter_mut().for_each(|v| *v = v.map(|v| -v)))),
-                (MOVED, |t| every(t, |body| body.linear_velocity.iter_mut().for_each(|v| *v = v.map(|v| 2.5 * v)))),
+                (MOVED, |t| every(t, |body| body.linear_velocity.iter_mut().for_each(|v| *v = v.map(|v| 4.0 * v)))),
                 (MOVED, |t| every(t, |body| body.position.iter_mut().for_each(|x| x[2] = 2.0))),
             ],
         );
