@@ -18,7 +18,7 @@ const MODES: [Mode; 7] = [
     Mode { command: "gate", asked: "explain", counting: &["format"] },
     Mode { command: "gate", asked: "failures", counting: &[] },
     Mode { command: "gate", asked: "list", counting: &["trajectory", "solver", "projection", "only", "skip", "format"] },
-    Mode { command: "gate", asked: "write_scenes", counting: &["solver", "projection", "only", "skip", "quick", "steps"] },
+    Mode { command: "gate", asked: "write_scenes", counting: &["description", "solver", "projection", "only", "skip", "quick", "steps"] },
     Mode {
         command: "gate",
         asked: "trajectory",

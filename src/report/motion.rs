@@ -54,7 +54,7 @@ impl MotionReport<'_> {
         let last = self.mechanism.energy(self.recording.last());
         let ratios = self.restitutions();
         let slow = settling_time(&self.times(), &self.speeds(), self.resting_speed());
-        let settled = slow.filter(|slow| !self.creeps(*slow));
+        let settled = slow.filter(|slow| !self.creeps(*slow)).and_then(|slow| self.at_its_end(slow));
         let steps = self.recording.impulses.len();
         let (length, energy) = (self.length_noise(), self.largest_energy());
         let quantity = |name, value, unit| Quantity { name, value, unit, rounding: None };
@@ -234,6 +234,20 @@ impl MotionReport<'_> {
         (0..samples[0].len()).any(|body| (0..3).any(|axis| creeps(&times, &places(body, axis), slow, least)))
     }
 
+    /// The time \[s\] from which on every body is slow and where it ends, but for 4 g h²: one step there and one back at the speed of rest.
+    /// `None` if that is so from the start of a motion that goes farther than a step of free fall: such steps do not tell rest from motion.
+    fn at_its_end(&self, slow: f64) -> Option<f64> {
+        let samples: Vec<Vec<BodyState>> = self.recording.samples.iter().map(|state| self.bodies(state)).collect();
+        let last = samples.last()?;
+        let apart = |one: &BodyState, end: &BodyState| length(std::array::from_fn(|axis| one.position[axis] - end.position[axis]));
+        let away =
+            |bodies: &Vec<BodyState>| bodies.iter().zip(last).map(|(one, end)| apart(one, end)).fold(0.0, |worst, one| larger(one, worst));
+        let away: Vec<f64> = samples.iter().map(away).collect();
+        let of_a_step = self.gravity * self.recording.time_step * self.recording.time_step;
+        let settled = slow.max(settling_time(&self.times(), &away, 4.0 * of_a_step + self.length_noise())?);
+        (settled > self.recording.samples[0].time || away.iter().all(|way| *way <= of_a_step + self.length_noise())).then_some(settled)
+    }
+
     /// Largest mean speed of a body over the second half of the motion, if it was slow by then.
     fn creep(&self, settled: f64) -> Option<f64> {
         let (times, half) = (self.times(), 0.5 * self.recording.last().time);
@@ -329,6 +343,25 @@ mod tests {
             assert_eq!((value("settling time"), value("creep speed at rest")), (None, None));
             assert_eq!(value("impacts"), None);
         });
+    }
+
+    /// A block of 0.3 m/s that friction stops after 0.3/(μ g) = 1.53 s is slow by every step of 1/60 s.
+    #[test]
+    fn a_slow_body_settles_where_it_stops_and_long_steps_tell_nothing() {
+        let mut scene = named("incline-slide").expect("built in");
+        (scene.gravity, scene.ground) = ([0.0, 0.0, -9.81], Some(Ground { normal: [0.0, 0.0, 1.0], offset: 0.0 }));
+        (scene.material.friction, scene.duration) = (0.02, 3.0);
+        let body = &mut scene.bodies[0];
+        let height = body.cuboid.expect("a box").half_extents[2];
+        (body.position, body.orientation, body.linear_velocity) = ([0.0, 0.0, height], [1.0, 0.0, 0.0, 0.0], [0.3, 0.0, 0.0]);
+        let stops = 0.3 / (0.02 * 9.81);
+        for (h, early) in [(0.001, 0.02), (1.0 / 240.0, 0.1), (1.0 / 60.0, 0.4)] {
+            let settled = of_scene(&scene, h).expect("it stops");
+            assert!(settled <= stops + 2.0 * h && settled >= stops - early, "{h}: {settled}");
+        }
+        for h in [0.001, 0.3] {
+            assert_eq!(of_scene(&named("bouncing-ball").expect("built in"), h).is_some(), h < 0.1, "{h}");
+        }
     }
 
     #[test]

@@ -197,6 +197,40 @@ fn stored_trajectories_are_judged_like_a_program() {
     assert!(run.output.contains("pass        trajectory/answer") && run.message.contains("at least one is needed"), "{}", run.message);
 }
 
+/// What the checks ask for depends on what the engine declares: Anitescu's law starts over the floor.
+#[test]
+fn scenes_are_those_that_the_description_asks_for() {
+    let folder = Folder::new("gate-described");
+    let description = moreau::gate::Engine::describe(&mut moreau::gate::own::by_name("anitescu").expect("built in"), &Default::default())
+        .expect("describes itself");
+    let described = folder.file("description.json", &serde_json::to_string(&description).expect("JSON"));
+    let verdict = |name: &str, words: &[&str]| {
+        let (scenes, answer) = (folder.path(name), folder.path(&format!("{name}-answer.json")));
+        let chosen = ["gate", "--only", "incline/slide", "--steps", "0.01"];
+        let run = moreau(&[&chosen[..], &["--write-scenes", &scenes], words].concat());
+        assert_eq!(run.code, 0, "{}", run.message);
+        let scene = format!("{scenes}/{}", requests(&scenes)[0].file);
+        let run = moreau(&["simulate", "--scene", &scene, "--scheme", "anitescu", "--step", "0.01", "--out", &answer]);
+        assert_eq!(run.code, 0, "{}", run.message);
+        moreau(&[&chosen[..], &["--trajectory", &answer, "--description", &described, "--format", "json"]].concat()).json()["report"]["checks"][0]["verdict"]
+            .clone()
+    };
+    assert_eq!(verdict("rigid", &[]), "unsupported");
+    assert_eq!(verdict("described", &["--description", &described]), "pass");
+}
+
+#[test]
+fn a_baseline_of_all_checks_is_not_replaced_by_one_of_some() {
+    let folder = Folder::new("gate-partial-baseline");
+    let baseline = folder.path("b.toml");
+    let save = |only: &str| {
+        moreau(&["gate", "--only", only, "--steps", "0.01", "--save-baseline", &baseline, "--", env!("CARGO_BIN_EXE_moreau"), "engine"])
+    };
+    assert_eq!(save("flight/projectile,ball/restitution").code, 0);
+    save("flight/projectile").is_refused(&["`--save-baseline`", "checks that this run leaves out, such as ball/restitution"]);
+    assert_eq!(save("flight/,ball/restitution").code, 0, "more checks are none less");
+}
+
 #[test]
 fn scenes_of_another_call_are_not_left_among_those_that_are_asked_for() {
     let folder = Folder::new("gate-other-scenes");

@@ -44,7 +44,12 @@ fn pulling(scene: &Scene, trajectory: &Trajectory, epsilon: f64) -> Option<Measu
     let most = from_ground.map(|contact| -Vector3::from(contact.impulse).dot(&normal)).fold(0.0, f64::max);
     let allowed = SOLVED * size + audit_rounding(epsilon, size);
     let ideal = Expectation::at_most(0.0, allowed, "the ground pushes, p·n ≥ 0");
-    (most > allowed).then(|| Measurement::new(PULLS, "N*s", most, ideal))
+    is_wrong(most, allowed).then(|| Measurement::new(PULLS, "N*s", most, ideal))
+}
+
+/// Whether a value is more than allowed; one that overflows excuses nothing.
+pub fn is_wrong(value: f64, allowed: f64) -> bool {
+    value > allowed || !value.is_finite() || !allowed.is_finite()
 }
 
 /// The largest impulse \[N·s\] that is reported.
@@ -57,7 +62,7 @@ fn unaccounted(scene: &Scene, trajectory: &Trajectory, epsilon: f64) -> Option<M
     let left = SOLVED * largest(trajectory);
     let allowed = |one: &Balance| UNACCOUNTED * one.terms + left + audit_rounding(epsilon, one.rounded);
     let judged = balances(scene, trajectory).into_iter().map(|one| (one.off, allowed(&one)));
-    let (off, allowed) = judged.filter(|(off, allowed)| off > allowed).max_by(|one, other| one.0.total_cmp(&other.0))?;
+    let (off, allowed) = judged.filter(|(off, allowed)| is_wrong(*off, *allowed)).max_by(|one, other| one.0.total_cmp(&other.0))?;
     let ideal = Expectation::at_most(0.0, allowed, "gravity and the reported impulses change momentum");
     Some(Measurement::new(UNACCOUNTED_FOR, "N*s", off, ideal))
 }
@@ -150,7 +155,9 @@ mod tests {
         let [pulls, lost] = [PULLS, UNACCOUNTED_FOR];
         let between = |contact: &ContactRecord| contact.bodies[1] != "ground";
         assert!(ours("box-stack", 5).0.contacts.iter().any(between), "boxes touch each other");
-        let mistakes: [(&[&str], Change); 4] = [
+        let mistakes: [(&[&str], Change); 6] = [
+            (&[pulls, lost], |t| t.contacts.iter_mut().for_each(|one| one.impulse = [1e155; 3])),
+            (&[pulls, lost], |t| t.contacts.iter_mut().for_each(|one| one.impulse = [f64::MAX; 3])),
             (&[pulls, lost], |t| t.contacts.iter_mut().for_each(|one| one.impulse = one.impulse.map(|p| -3.0 * p))),
             (&[lost], |t| t.contacts.retain(|one| one.bodies[1] == "ground")),
             (&[lost], |t| t.contacts.iter_mut().filter(|one| one.bodies[1] != "ground").for_each(|one| one.bodies.reverse())),

@@ -26,7 +26,7 @@ impl AnyAnswer {
     /// # Errors
     /// `errored` if the scene is none.
     pub fn look_at(&mut self, scene: &Scene, trajectory: &Trajectory, description: &Description, may_sleep: bool) -> Reply<()> {
-        let mut found = moved::wrong(scene, trajectory, description.precision.epsilon()).map_err(Refusal::errored)?;
+        let mut found = moved::wrong(scene, trajectory, description).map_err(Refusal::errored)?;
         if !may_sleep {
             found.extend(accounted::wrong(scene, trajectory, description));
         }

@@ -13,6 +13,9 @@ use moreau_exact::{Error, Result};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+/// How the reason begins for which a stored motion does not answer.
+pub const LACKS_SAMPLES: &str = "the stored trajectory of";
+
 /// Trajectories of one engine.
 #[derive(Clone)]
 pub struct Library {
@@ -88,7 +91,7 @@ impl Engine for Library {
         let mut answers = matching.iter().filter_map(answer_of);
         let (chosen, answer) = answers.next().ok_or_else(|| {
             Refusal::unsupported(format!(
-                "the stored trajectory of `{}` lacks samples: every {sample_every} steps up to {} s; its last one is at {} s",
+                "{LACKS_SAMPLES} `{}` lacks samples: every {sample_every} steps up to {} s; its last one is at {} s",
                 scene.name,
                 scene.duration,
                 length(longest).0
@@ -146,13 +149,15 @@ fn resampled(stored: &Trajectory, scene: &Scene, time_step: f64, steps: usize, s
 pub struct Requests {
     /// The engine that answers each request, so that checks with several requests can go on.
     pub inner: Box<dyn Engine>,
+    /// What the simulator says of itself that is run elsewhere, for it decides what is asked; that of `inner` without it.
+    pub description: Option<Description>,
     /// What was asked: scene, h \[s\], `sample_every`.
     pub asked: Arc<std::sync::Mutex<Vec<(Scene, f64, usize)>>>,
 }
 
 impl Engine for Requests {
     fn describe(&mut self, options: &Options) -> Reply<Description> {
-        self.inner.describe(options)
+        self.description.clone().map_or_else(|| self.inner.describe(options), Ok)
     }
 
     fn simulate(&mut self, scene: &Scene, time_step: f64, sample_every: usize, options: &Options) -> Reply<Trajectory> {

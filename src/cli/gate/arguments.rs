@@ -17,7 +17,8 @@ pub struct Arguments {
     /// Judge stored trajectories instead of a program.
     #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "command")]
     pub trajectory: Vec<PathBuf>,
-    /// The description that goes with --trajectory, a JSON file as `describe` returns it; without it the engine is taken for rigid.
+    /// The description that goes with --trajectory and --write-scenes, a JSON file as `describe` returns it; without it the engine is taken
+    /// for rigid, and what the checks ask depends on it.
     #[arg(long, value_name = "FILE")]
     pub description: Option<PathBuf>,
     /// Only the checks of contact solvers.

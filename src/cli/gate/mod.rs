@@ -47,10 +47,11 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     }
     let sweep = selection::sweep(arguments)?;
     if let Some(folder) = &arguments.write_scenes {
-        return scenes::write(folder, &checks, &sweep);
+        return scenes::write(folder, &checks, &sweep, arguments.description.as_deref());
     }
     subject::require_motions(arguments)?;
     arguments.keep_files()?;
+    arguments.keep_checks(&checks)?;
     let required = required(arguments.require)?;
     let baseline = arguments.baseline.as_deref().map(|file| baseline(arguments, file, &sweep, &checks)).transpose()?;
     let bar = progress();
@@ -197,6 +198,20 @@ impl Arguments {
             };
             outputs::require(option, Some(file), content)
         })
+    }
+
+    /// Refuses to write a baseline of some checks over one that has others.
+    fn keep_checks(&self, checks: &[&Check]) -> Result<()> {
+        let Some(file) = self.save_baseline.as_deref().filter(|file| file.is_file()) else { return Ok(()) };
+        let Ok(old) = Baseline::read(file) else { return Ok(()) };
+        let left_out = |name: &&str| crate::gate::checks::find(name).is_some() && checks.iter().all(|check| check.name != *name);
+        match old.checks.iter().map(|check| check.name.as_str()).find(left_out) {
+            Some(name) => {
+                let problem = format!("is {}, which has checks that this run leaves out, such as {name}", file.display());
+                Err(Error::invalid("--save-baseline", problem, "run all of its checks, or name another file"))
+            }
+            None => Ok(()),
+        }
     }
 
     /// Writes all named outputs, or none; a baseline only of a whole run.

@@ -6,7 +6,7 @@ use crate::cli::output::{print, style};
 use crate::cli::progress;
 use crate::cli::several::make_folder;
 use crate::files::write_atomically;
-use crate::gate::library::Requests;
+use crate::gate::library::{Requests, read_description};
 use crate::gate::runner::{self, Plan};
 use crate::gate::{Check, Engine, Options, own};
 use crate::report::json::pretty;
@@ -31,12 +31,13 @@ struct Request {
 ///
 /// # Errors
 /// [`Error::Invalid`] where they ask for none, as at time steps that are longer than their motions.
-pub fn write(folder: &Path, checks: &[&'static Check], sweep: &[f64]) -> Result<Answer> {
+pub fn write(folder: &Path, checks: &[&'static Check], sweep: &[f64], description: Option<&Path>) -> Result<Answer> {
+    let description = description.map(read_description).transpose()?;
     make_folder("--write-scenes", folder)?;
     let asked = Arc::new(Mutex::new(Vec::new()));
     let make = || -> Box<dyn Engine> {
         let inner = own::by_name("moreau-jean").expect("a built-in scheme");
-        Box::new(Requests { inner: Box::new(inner), asked: asked.clone() })
+        Box::new(Requests { inner: Box::new(inner), description: description.clone(), asked: asked.clone() })
     };
     let bar = progress::parts(0, "measurements");
     let progress = || bar.inc(1);

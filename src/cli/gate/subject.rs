@@ -5,9 +5,9 @@ use crate::cli::output::print_aside;
 use crate::cli::time_limit::of_reply;
 use crate::gate::audit::{AUDITS, audit};
 use crate::gate::baseline::Baseline;
-use crate::gate::library::{Library, read_description};
+use crate::gate::library::{LACKS_SAMPLES, Library, read_description};
 use crate::gate::process::{Limits, ProcessEngine, end_engines_on_interrupt};
-use crate::gate::{Engine, Report, Verdict};
+use crate::gate::{CheckOutcome, Engine, Report, Verdict};
 use crate::number::significant;
 use crate::trajectory::Trajectory;
 use crate::{Error, Result};
@@ -50,6 +50,7 @@ pub fn audited(arguments: &Arguments, mut report: Report, baseline: Option<&Base
     }
     let all_are_asked = !arguments.only.is_empty() || arguments.require.is_some();
     let is_held = |name: &str| baseline.is_some_and(|baseline| baseline.checks.iter().any(|check| check.name == name));
+    report.checks.iter().filter_map(lacking).for_each(|remark| print_aside(&remark));
     report.checks.retain(|check| check.verdict != Verdict::Unsupported || all_are_asked || is_held(&check.check));
     for file in &arguments.trajectory {
         let name = audit_name(file);
@@ -60,6 +61,13 @@ pub fn audited(arguments: &Arguments, mut report: Report, baseline: Option<&Base
         report.checks.push(audit(&name, &trajectory, &report.engine));
     }
     Ok(report)
+}
+
+/// That a check is left out though a motion is of its scene: a time that is written wrongly would pass.
+fn lacking(check: &CheckOutcome) -> Option<String> {
+    let mut reasons = check.steps.iter().filter_map(|step| step.reason.as_deref());
+    let reason = reasons.find(|reason| reason.starts_with(LACKS_SAMPLES)).filter(|_| check.verdict == Verdict::Unsupported)?;
+    Some(format!("remark: {} is not answered: {reason}\n", check.check))
 }
 
 /// That a motion ends before its scene does, and why where its producer says so: what is missing no check sees.

@@ -142,6 +142,9 @@ fn written(stored: &Stored, to: To, folder: &Path, bar: &ProgressBar) -> Result<
 fn without_place(text: &str, answers: &[Solution]) -> Vec<String> {
     let mut dropped = fields_without_place(text);
     let further = answers.len().saturating_sub(1);
+    if !answers.is_empty() && dropped.iter().any(|field| field == "mass") {
+        dropped.push("what tells the rounding of W, without which `certify` may refuse the answer".into());
+    }
     dropped.extend((further > 0).then(|| format!("all answers but the first ({further})")));
     if answers.first().is_some_and(|answer| answer.beta.is_some() || answer.sigma.is_some()) {
         dropped.push("β and σ of the answer".into());

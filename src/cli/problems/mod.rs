@@ -12,7 +12,8 @@ use clap::Subcommand;
 
 /// Contact problems with certified answers: list them, show one, write them as files, measure one of your own.
 ///
-/// Each has one or more answers with different velocities u, certified at 1e-8 without knowing who found them; δ, a proved bound on how far
+/// Each, but for those that have no solution or of which none was found, has one or more answers with different velocities u, certified at
+/// 1e-8 without knowing who found them; δ, a proved bound on how far
 /// the nearest problem is that the answer solves exactly; the proved distance from a solution in u, or the reason why there is none;
 /// whether u is the only velocity; and how many plain Gauss–Seidel sweeps it takes. references/problems/README.md specifies all of it.
 #[derive(clap::Args)]

@@ -70,12 +70,13 @@ pub(super) fn stewart_trinkle(pairs: &mut Pairs, solution: &Solution, d: usize, 
 /// [`Error::Invalid`] if an edge compliance judges edge impulses that the solution does not give.
 pub(super) fn edges(pairs: &mut Pairs, problem: &ContactProblem, solution: &Solution, d: usize, here: &Here) -> Result<AtContact> {
     pairs.fill_edges(problem, solution, d, here)?;
-    let ([rho, _], [s_n, s_r, _]) = (here.weights, here.sizes);
-    let scale = s_n.max(s_r);
+    let ([rho, _], [s_n, ..]) = (here.weights, here.sizes);
+    // an impulse that does not move its own contact excuses no velocity there, however large it is
+    let scale = here.impulse[0].max(here.impulse[1]);
     let floor = here.floors[0] + here.friction * here.floors[1];
     // an edge's impulse moves the contact along the tangents, too, by its part μ
     let along = if here.friction > 0.0 { here.most[1] / here.friction } else { f64::INFINITY };
-    let members = Members { impulse: scale.min(here.most[0]).min(along), velocity: scale / rho, floor, rho };
+    let members = Members { impulse: scale.min(here.most[0]).min(along), velocity: s_n / rho, floor, rho };
     let mut at = AtContact::default();
     for (j, one) in pairs.pairs.iter().enumerate() {
         let along = |z: f64| {

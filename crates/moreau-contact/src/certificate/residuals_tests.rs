@@ -443,3 +443,22 @@ fn a_product_is_no_stricter_than_the_velocity_in_it() {
         assert_eq!(squeezed(off).is_solution(1e-8), accepted, "{off}");
     }
 }
+
+#[test]
+fn an_impulse_that_moves_nothing_excuses_no_velocity_however_large_it_is() {
+    let laws = [Law::Coulomb, Law::Associated, Law::PolyhedralCoulomb { directions: 4 }, Law::PolyhedralAssociated { directions: 4 }];
+    // two bodies that nothing moves, and W of one that is not symmetric: no normal impulse opens it
+    let [still, skew] = [[[0.0; 3]; 3], [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 0.0]]];
+    for (law, size) in laws.into_iter().flat_map(|law| [1.0, 1e3, 1e8, 1e12, 1e18].map(|size| (law, size))) {
+        for (block, q, mu) in
+            [(still, [-1.0, 0.0, 0.0], 0.5), (still, [-1.0, 1.0, 0.0], 0.5), (still, [0.5, 2.0, 0.0], 3.0), (skew, [-1.0, 1.0, 0.0], 0.5)]
+        {
+            let problem = apart(law, &[block], &q, mu);
+            for impulse in [[size, 0.0, 0.0], [size, -mu * size, 0.0], [size, -0.5 * mu * size, 0.0]] {
+                assert!(!judged(&problem, &impulse).is_solution(1e-8), "{law:?} {q:?} {impulse:?}");
+            }
+        }
+        let open = apart(law, &[still], &[3.0, 2.0, 0.0], 0.5);
+        assert!(judged(&open, &[0.0; 3]).is_solution(1e-8) && !judged(&open, &[size, 0.0, 0.0]).is_solution(1e-8), "{law:?}");
+    }
+}

@@ -120,18 +120,17 @@ impl<'a> System<'a> {
     /// A row of which no diagonal entry is left moves nothing, and its velocity is that of the others.
     fn require_agreement(&self, row: usize) -> Result<()> {
         if self.moves_something(row) {
-            let problem = "moves other rows although nothing is left of its W_ii, by rounded numbers: then W is not positive semidefinite"
-                .to_string();
-            return Err(self.invalid(row, problem, "correct `delassus`, or `mass` and `jacobian`"));
+            let problem = "moves other rows although nothing is left of its W_ii, by rounded numbers".to_string();
+            return Err(self.invalid(row, problem, "make W positive semidefinite; or, where masses differ by 2⁴⁰ and more, by less"));
         }
         if self.velocity[row].abs() <= AGREES * self.terms[row] {
             return Ok(());
         }
         let size = significant(self.velocity[row].abs());
-        let asked = format!(
-            "depends on other bilateral rows and contradicts them by {size} m/s, by rounded numbers: then no impulses hold them all"
-        );
-        Err(self.invalid(row, asked, "leave one of the constraints out, or make `free_velocity` and `shift` agree"))
+        let asked = format!("depends on other bilateral rows and contradicts them by {size} m/s, both by rounded numbers");
+        let cure =
+            "leave one of the constraints out, or make `free_velocity` and `shift` agree; where masses differ by 2⁴⁰ and more, by less";
+        Err(self.invalid(row, asked, cure))
     }
 
     /// Whether what is left of a row or column is more than rounding.

@@ -83,10 +83,25 @@ impl Body {
         } else if gravity.iter().any(|g| !(self.mass * g).is_finite()) {
             "makes a weight that is no number"
         } else {
-            return Ok(());
+            return self.validate_energy(path, &moments);
         };
         let problem = format!("is {:e}, which {wrong}", self.mass);
         Err(Error::invalid(format!("{path}.mass"), problem, "use other units, in which masses and sizes are nearer to 1"))
+    }
+
+    /// ½ m v² and ½ J ω² are numbers.
+    fn validate_energy(&self, path: &str, moments: &[f64; 3]) -> Result<()> {
+        let largest = |of: &[f64]| of.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        for (field, inertia, speed) in [
+            ("linear_velocity", self.mass, largest(&self.linear_velocity)),
+            ("angular_velocity", largest(moments), largest(&self.angular_velocity)),
+        ] {
+            if !(3.0 * inertia * speed * speed).is_finite() {
+                let problem = format!("holds {speed:e}, which makes an energy that is no number");
+                return Err(Error::invalid(format!("{path}.{field}"), problem, "use smaller velocities, or other units"));
+            }
+        }
+        Ok(())
     }
 
     /// A free body has a mass; one that is not has none, no inertia, and no velocity of its own.
@@ -234,6 +249,17 @@ mod tests {
         for (mass, word) in [("1e308", "a weight that is no number"), ("1e-308", "a moment of inertia"), ("1e-310", "has an inverse")] {
             let told = message("\"mass\": 1.0", &format!("\"mass\": {mass}"));
             assert!(told.contains("`bodies[0].mass`: is 1e") && told.contains(word) && told.contains("use other units"), "{told}");
+        }
+    }
+
+    #[test]
+    fn a_speed_whose_energy_is_no_number_is_named() {
+        for field in ["linear_velocity", "angular_velocity"] {
+            let given = |speed: &str| format!("\"mass\": 1.0, \"{field}\": [0, {speed}, 0]");
+            let told = message("\"mass\": 1.0", &given("1e200"));
+            assert!(told.contains(&format!("`bodies[0].{field}`: holds 1e200")) && told.contains("energy"), "{told}");
+            let text = named("ball-drop").and_then(|scene| scene.to_json()).expect("a built-in scene");
+            assert!(Scene::from_json(&text.replacen("\"mass\": 1.0", &given("1e150"), 1)).is_ok());
         }
     }
 
