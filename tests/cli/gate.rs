@@ -212,8 +212,8 @@ fn scenes_are_those_that_the_description_asks_for() {
         let scene = format!("{scenes}/{}", requests(&scenes)[0].file);
         let run = moreau(&["simulate", "--scene", &scene, "--scheme", "anitescu", "--step", "0.01", "--out", &answer]);
         assert_eq!(run.code, 0, "{}", run.message);
-        moreau(&[&chosen[..], &["--trajectory", &answer, "--description", &described, "--format", "json"]].concat()).json()["report"]["checks"][0]["verdict"]
-            .clone()
+        let judged = moreau(&[&chosen[..], &["--trajectory", &answer, "--description", &described, "--format", "json"]].concat());
+        judged.json()["report"]["checks"][0]["verdict"].clone()
     };
     assert_eq!(verdict("rigid", &[]), "unsupported");
     assert_eq!(verdict("described", &["--description", &described]), "pass");

@@ -5,7 +5,7 @@
 //!     m (v_{k+1} − v_k) = m g Δt + Σ I                 I the reported impulses of (t_k, t_{k+1}]
 //!     ‖I_t‖ ≤ μ I_n                                    of every pair of a body with the ground
 //!     gap ≥ −h (max‖u‖ + G Δt)                         rigid: a contact is seen one step late at worst, G the difference of what falls
-//!     T + V ≤ (T + V)_0 + Σ m ‖g‖ (½ h max‖v‖ + d)     the invariant of semi-implicit steps is off by ½ h m g·v; d is the depth at the start
+//!     T + V ≤ (T + V)_0 + Σ m ‖g‖ (½ h max‖v‖ + d)     semi-implicit steps swing by ½ h m g·v; d is the depth at the start
 //! ```
 //! A body that nothing moves has no momentum that changes: its velocity is the prescribed one. One that is driven does work on what it
 //! touches, and then the energy says nothing.
