@@ -47,7 +47,8 @@ pub(super) fn stewart_trinkle(pairs: &mut Pairs, solution: &Solution, d: usize, 
     let mut at = AtContact::default();
     let normal = Members { impulse: here.impulse[0].max(here.impulse[1]), velocity: s_n / rho_n, floor: here.floors[0], rho: rho_n };
     at.normal = normal.judge(pairs.pairs[0], |_| here.reach(|| in_space(here.r), true), &mut at);
-    let velocity = if sticks { s_t } else { friction } / rho_t;
+    // an impulse that moves nothing excuses no slip, however large it is
+    let velocity = if sticks { s_t } else { friction.min(s_t) } / rho_t;
     let tangential = Members { impulse: friction, velocity, floor: here.floors[1], rho: rho_t };
     for (j, one) in pairs.pairs[1..].iter().enumerate() {
         let along = |z: f64| {

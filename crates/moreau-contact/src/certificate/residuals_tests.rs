@@ -458,6 +458,8 @@ fn an_impulse_that_moves_nothing_excuses_no_velocity_however_large_it_is() {
                 assert!(!judged(&problem, &impulse).is_solution(1e-8), "{law:?} {q:?} {impulse:?}");
             }
         }
+        let sliding = apart(law, &[still], &[0.0, 2.0, 0.0], 0.5);
+        assert!(!judged(&sliding, &[size, 0.5 * size, 0.0]).is_solution(1e-8), "{law:?}: friction that pushes along the slip");
         let open = apart(law, &[still], &[3.0, 2.0, 0.0], 0.5);
         assert!(judged(&open, &[0.0; 3]).is_solution(1e-8) && !judged(&open, &[size, 0.0, 0.0]).is_solution(1e-8), "{law:?}");
     }
