@@ -47,8 +47,9 @@ pub(super) fn stewart_trinkle(pairs: &mut Pairs, solution: &Solution, d: usize, 
     let mut at = AtContact::default();
     let normal = Members { impulse: here.impulse[0].max(here.impulse[1]), velocity: s_n / rho_n, floor: here.floors[0], rho: rho_n };
     at.normal = normal.judge(pairs.pairs[0], |_| here.reach(|| in_space(here.r), true), &mut at);
-    // an impulse that moves nothing excuses no slip, however large it is
-    let velocity = if sticks { s_t } else { friction.min(s_t) } / rho_t;
+    // an impulse that moves nothing excuses no slip, however large it is; one that moves its contact is limited by what it moves
+    let excused = if here.most == [f64::INFINITY; 2] { friction.min(s_t) } else { friction };
+    let velocity = if sticks { s_t } else { excused } / rho_t;
     let tangential = Members { impulse: friction, velocity, floor: here.floors[1], rho: rho_t };
     for (j, one) in pairs.pairs[1..].iter().enumerate() {
         let along = |z: f64| {
