@@ -1,4 +1,5 @@
 """Shared by the tests of the installed package: `pytest crates/moreau-python/tests`."""
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -10,6 +11,14 @@ pytest_plugins = ["pytester"]
 CHECKOUT = Path(__file__).resolve().parents[3]
 PROJECT = CHECKOUT / "examples" / "python"
 sys.path.insert(0, str(PROJECT))
+
+
+@pytest.fixture
+def interruptible():
+    """Ctrl-C as a terminal has it: what a shell starts in the background ignores it, and so does a run of these tests there."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
 
 
 @pytest.fixture

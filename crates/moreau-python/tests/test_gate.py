@@ -130,6 +130,7 @@ def test_finished_checks_are_heard():
     assert heard == [(check["check"], "pass", True) for check in mc.checks("projection/")]
 
 
+@pytest.mark.usefixtures("interruptible")
 @pytest.mark.parametrize("isolate", [False, True])
 def test_ctrl_c_ends_the_run(isolate):
     threading.Timer(3.0, os.kill, (os.getpid(), signal.SIGINT)).start()

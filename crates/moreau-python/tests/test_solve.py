@@ -230,6 +230,7 @@ def test_python_ends_in_order_while_a_thread_is_in_a_call(call):
         assert (done.returncode, done.stdout, done.stderr) == (0, "ended\n", ""), done.stderr
 
 
+@pytest.mark.usefixtures("interruptible")
 def test_ctrl_c_ends_a_long_solve_at_once():
     threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
     begin = time.perf_counter()
