@@ -17,7 +17,7 @@ pub struct Arguments {
 
 const EXAMPLES: &str = "\
 Examples:
-  mkdir -p ~/.local/share/bash-completion/completions ~/.zfunc ~/.config/fish/completions    each where its shell is used
+  mkdir -p ~/.local/share/bash-completion/completions ~/.zfunc ~/.config/fish/completions
   moreau completions bash > ~/.local/share/bash-completion/completions/moreau
   moreau completions zsh > ~/.zfunc/_moreau           with ~/.zfunc in fpath
   moreau completions fish > ~/.config/fish/completions/moreau.fish";

@@ -216,7 +216,16 @@ fn scenes_are_those_that_the_description_asks_for() {
         judged.json()["report"]["checks"][0]["verdict"].clone()
     };
     assert_eq!(verdict("rigid", &[]), "unsupported");
+    // a motion of the right scene with a time that is none of its samples is told, and not only left out
+    let motion = folder.path("described-answer.json");
+    let text = || std::fs::read_to_string(&motion).expect("written");
     assert_eq!(verdict("described", &["--description", &described]), "pass");
+    let mut changed: serde_json::Value = serde_json::from_str(&text()).expect("JSON");
+    let late = changed["times"][1].as_f64().expect("a time") * 1.25;
+    changed["times"][1] = late.into();
+    std::fs::write(&motion, changed.to_string()).expect("writable");
+    let run = moreau(&["gate", "--steps", "0.01", "--trajectory", &motion, "--description", &described]);
+    assert!(run.message.contains("remark: incline/slide is not answered: the stored trajectory of"), "{}{}", run.message, run.output);
 }
 
 #[test]
@@ -229,6 +238,9 @@ fn a_baseline_of_all_checks_is_not_replaced_by_one_of_some() {
     assert_eq!(save("flight/projectile,ball/restitution").code, 0);
     save("flight/projectile").is_refused(&["`--save-baseline`", "checks that this run leaves out, such as ball/restitution"]);
     assert_eq!(save("flight/,ball/restitution").code, 0, "more checks are none less");
+    std::fs::write(&baseline, "[package]").expect("writable");
+    save("flight/projectile").is_refused(&["`--save-baseline`", "is no baseline"]);
+    assert_eq!(std::fs::read_to_string(&baseline).expect("left as it was"), "[package]");
 }
 
 #[test]

@@ -283,6 +283,17 @@ fn what_rests_without_impulses_fails_checks_that_ask_for_none() {
     }
 }
 
+/// In one step of 0.1 s our own ball does not touch the floor yet, from which no friction can be told.
+#[test]
+fn a_push_of_one_step_without_contact_is_no_question_and_one_of_ten_is() {
+    let check = checks::all().find(|check| check.name == "isotropy/deceleration").expect("a check");
+    let make = || -> Box<dyn Engine> { Box::new(own::by_name("moreau-jean").expect("built in")) };
+    for (h, expected) in [(0.1, Verdict::Unsupported), (0.01, Verdict::Pass)] {
+        let plan = Plan { checks: vec![check], sweep: vec![h], options: Options::new(), jobs: 1, repeats: 1, progress: &|| {} };
+        assert_eq!(run(&make, &plan).expect("it describes itself").checks[0].verdict, expected, "{h}");
+    }
+}
+
 #[test]
 fn every_check_fails_what_no_law_knows_or_says_why_not() {
     let mut wrong = String::new();

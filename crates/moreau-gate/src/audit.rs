@@ -201,6 +201,22 @@ mod tests {
         }
     }
 
+    /// A ball that begins 10⁻⁸ m in the floor may be lifted out of it, by a law that keeps gap/h, and no higher.
+    #[test]
+    fn what_begins_in_depth_may_be_lifted_out_of_it_and_no_higher() {
+        let depth = 1e-8;
+        let mut scene = named("ball-drop").expect("built in");
+        let radius = scene.bodies[0].sphere.expect("a ball").radius;
+        (scene.bodies[0].position, scene.duration) = ([0.0, 0.0, radius - depth], 0.1);
+        let mut engine = own::by_name("anitescu").expect("built in");
+        let description = engine.describe(&Options::new()).expect("describes itself");
+        let mut trajectory = engine.simulate(&scene, 0.001, 1, &Options::new()).expect("simulates");
+        let gains = |trajectory: &Trajectory| bad(trajectory, &description).iter().any(|text| text.starts_with("energy above the start"));
+        assert!(trajectory.bodies[0].position.last().expect("samples")[2] > radius - 0.5 * depth && !gains(&trajectory));
+        trajectory.bodies[0].position.iter_mut().skip(1).for_each(|place| place[2] += 3.0 * depth);
+        assert!(gains(&trajectory), "four times the depth");
+    }
+
     #[test]
     fn what_may_round_is_that_of_all_steps_however_rarely_they_are_sampled() {
         let allowed = |every: usize| {

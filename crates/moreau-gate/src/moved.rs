@@ -12,7 +12,7 @@
 //! of turns in steps of at most two radians.
 
 use crate::accounted::is_wrong;
-use crate::tolerance::{UNMOVED, audit_rounding};
+use crate::tolerance::{FOLLOWED, UNMOVED, audit_rounding};
 use crate::{Description, Expectation, Measurement};
 use moreau_dynamics::mechanics::spatial::Shape;
 use moreau_dynamics::scenes::{Body, Scene};
@@ -25,9 +25,6 @@ pub const STARTS_ELSEWHERE: &str = "distance of sample 0 from the scene";
 
 /// Sample 0 is turned.
 pub const STARTS_TURNED: &str = "turn of sample 0 from the scene";
-
-/// The turn of a step \[rad\] up to which it is told from its end: half a turn further on it looks like one the other way.
-const FOLLOWED: f64 = 2.0;
 
 /// Bodies move otherwise than their velocities say.
 pub const MOVED: &str = "motion that the reported velocities do not make";

@@ -203,7 +203,10 @@ impl Arguments {
     /// Refuses to write a baseline of some checks over one that has others.
     fn keep_checks(&self, checks: &[&Check]) -> Result<()> {
         let Some(file) = self.save_baseline.as_deref().filter(|file| file.is_file()) else { return Ok(()) };
-        let Ok(old) = Baseline::read(file) else { return Ok(()) };
+        let Ok(old) = Baseline::read(file) else {
+            let problem = format!("is {}, which is there and is no baseline", file.display());
+            return Err(Error::invalid("--save-baseline", problem, "take it away, or name another file"));
+        };
         let left_out = |name: &&str| crate::gate::checks::find(name).is_some() && checks.iter().all(|check| check.name != *name);
         match old.checks.iter().map(|check| check.name.as_str()).find(left_out) {
             Some(name) => {

@@ -74,6 +74,11 @@ pub const UNACCOUNTED: f64 = 0.5;
 /// Set.
 pub const UNMOVED: f64 = 0.5;
 
+/// The turn of a step \[rad\] up to which the orientations at its ends tell it: one of more than π looks like one the other way, and half
+/// of the way is left to what a scheme makes of a turn while its axis moves.
+/// Set.
+pub const FOLLOWED: f64 = 2.0;
+
 /// Orders up to this are called constant: half the smallest order that a proven bound here has (½, the graph distance of a plastic impact).
 /// Derived.
 pub const CONSTANT_ORDER: f64 = 0.25;
