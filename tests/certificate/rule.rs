@@ -121,7 +121,7 @@ pub fn judge(problem: &Exact, groups: &[Vec<usize>], answer: &Answer, limits: Li
         .map(|(k, at)| match problem.law {
             Law::Frictionless => both(at.normal_pair(false), sure(at.no_friction())),
             Law::Coulomb => both(at.normal_pair(false), at.disk()),
-            Law::Associated => both(at.normal_pair(true), at.disk()),
+            Law::Associated => both(both(at.normal_pair(true), at.disk()), at.lift()),
             Law::PolyhedralCoulomb { directions } => both(at.normal_pair(false), at.stewart_trinkle(directions)),
             Law::PolyhedralAssociated { directions } => {
                 let soft = problem.edge_soft.as_ref().map(|soft| &soft[k * directions..(k + 1) * directions]);
@@ -251,6 +251,25 @@ impl At {
         let outside = nearest(&(norm(&self.friction) - &radius)) / nearest(&self.mu).hypot(1.0);
         let cone = sure(quotient(outside, self.friction_limit().max(self.last_digits * a)));
         both(cone, open_branch(sticks, slides, nearest(&(radius - length)), 4.0 * (floor + self.last_digits * a)))
+    }
+
+    /// Where friction sticks, y_n must be a velocity within its limit, not μ times one: μ‖y_t‖ is within those of velocities, or ‖r_t‖ is
+    /// that of sliding friction, or there is no impulse.
+    fn lift(&self) -> Ratio {
+        if self.slip.is_empty() || self.mu <= ratio(1, 1) {
+            return sure(0.0);
+        }
+        let radius = (&self.mu * &self.impulse).max(zero());
+        let z: Vec<Rational> = self.friction.iter().zip(&self.slip).map(|(r, y)| r - &self.rho_t * y).collect();
+        let excess = nearest(&(&radius - norm(&z)));
+        let (rho_t, mu) = (nearest(&self.rho_t), nearest(&self.mu));
+        let velocity = self.tolerance * (self.scales.normal / self.rho_n).max(self.scales.tangential / rho_t);
+        let lifted = quotient(nearest(&(&self.mu * norm(&self.slip))), velocity.max(self.floor_n + mu * self.floor_t));
+        let pushed = norm(&self.friction);
+        let edge = quotient(nearest(&(&radius - &pushed)), self.friction_limit().max(self.last_digits * nearest(&radius)));
+        let whole = norm(&[self.impulse.clone(), pushed]);
+        let value = lifted.min(edge).min(quotient(nearest(&whole), self.tolerance * self.scales.normal));
+        open_branch(value, 0.0, excess, 4.0 * (rho_t * self.floor_t + self.last_digits * nearest(&radius)))
     }
 
     /// τ μ s_r, or τ s_r where no friction is allowed at all.

@@ -18,6 +18,7 @@ use crate::tolerance::conveyor::belt_speed;
 use crate::{CheckOutcome, Description, Expectation, Kind, Measurement, Refusal, Reply, StepOutcome};
 use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::trajectory::Trajectory;
+use moreau_exact::number::{significant, with_unit};
 use nalgebra::{DVector, Quaternion, UnitQuaternion, Vector3};
 
 /// What the names of audits begin with in a report; the name of the file follows.
@@ -29,6 +30,7 @@ pub fn audit(name: &str, trajectory: &Trajectory, description: &Description) -> 
 }
 
 fn measurements(trajectory: &Trajectory, description: &Description) -> Reply<Vec<Measurement>> {
+    require_steps(trajectory, description.precision.epsilon())?;
     let (mechanism, _) = trajectory.scene.spatial_mechanism().map_err(Refusal::errored)?;
     let states: Vec<State> = (0..trajectory.times.len()).map(|k| state(trajectory, k)).collect();
     let epsilon = description.precision.epsilon();
@@ -45,6 +47,19 @@ fn measurements(trajectory: &Trajectory, description: &Description) -> Reply<Vec
         found.push(energy(trajectory, mechanism.as_ref(), &states, epsilon));
     }
     Ok(found)
+}
+
+/// Refuses samples that lie closer together than the time step, by which depths and swings are excused.
+fn require_steps(trajectory: &Trajectory, epsilon: f64) -> Reply<()> {
+    let (times, h) = (&trajectory.times, trajectory.time_step);
+    // the last step of all may be a part of one
+    let whole = &times[..times.len().saturating_sub(1).max(2).min(times.len())];
+    let closest = whole.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
+    if closest >= h - audit_rounding(epsilon, times[times.len() - 1]) {
+        return Ok(());
+    }
+    let [closest, h] = [closest, h].map(|number| with_unit(&significant(number), "s"));
+    Err(Refusal::errored(format!("`times` has samples {closest} apart, but `time_step` is {h}: give the step that made the motion")))
 }
 
 /// Bodies that nothing moves keep the velocities that are prescribed, 0 if they are static; a report may be a difference of places.
@@ -199,6 +214,13 @@ mod tests {
             trajectory.bodies[0].position.iter_mut().skip(1).for_each(|place| place[2] -= 0.5);
             assert!(bad(&trajectory, &description).iter().any(|text| text.starts_with("smallest gap")), "{}", scene.name);
         }
+    }
+
+    #[test]
+    fn samples_that_are_closer_than_a_step_are_refused() {
+        let (trajectory, description) = ours("bouncing-ball");
+        let with = |time_step: f64| audit("x", &Trajectory { time_step, ..trajectory.clone() }, &description).verdict;
+        assert_eq!([0.005, 0.01, 0.0101, 0.02].map(with), [Verdict::Pass, Verdict::Pass, Verdict::Errored, Verdict::Errored]);
     }
 
     /// A ball that begins 10⁻⁸ m in the floor may be lifted out of it, by a law that keeps gap/h, and no higher.

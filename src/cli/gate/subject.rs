@@ -52,6 +52,9 @@ pub fn audited(arguments: &Arguments, mut report: Report, baseline: Option<&Base
     let is_held = |name: &str| baseline.is_some_and(|baseline| baseline.checks.iter().any(|check| check.name == name));
     report.checks.iter().filter_map(lacking).for_each(|remark| print_aside(&remark));
     report.checks.retain(|check| check.verdict != Verdict::Unsupported || all_are_asked || is_held(&check.check));
+    if report.checks.iter().all(|check| check.verdict == Verdict::Unsupported) {
+        print_aside("remark: no check of the gate is answered by these motions, so that they are audited alone; see --write-scenes\n");
+    }
     for file in &arguments.trajectory {
         let name = audit_name(file);
         let trajectory = Trajectory::read(file)?;

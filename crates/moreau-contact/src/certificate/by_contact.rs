@@ -103,6 +103,32 @@ mod tests {
         }
     }
 
+    /// y_n = μ‖y_t‖ of a slip that is nothing beside its own scale is a velocity of its own.
+    #[test]
+    fn where_associated_friction_sticks_a_large_coefficient_lifts_nothing() {
+        for mu in [2.0, 10.0, 1e3, 1e6, 1e9] {
+            let accepts = |free: [f64; 3], impulse: [f64; 3]| {
+                let problem = ContactProblem::new(DMatrix::identity(3, 3), DVector::from_row_slice(&free));
+                let problem = problem.law(Law::Associated).friction(vec![mu]).build().expect("sizes fit");
+                let impulse = DVector::from_row_slice(&impulse);
+                let velocity = problem.velocity(&impulse);
+                by_contact(&problem, &Solution::new("by hand", impulse, velocity, 0)).expect("sizes fit")[0].accepts(CERTIFY)
+            };
+            let falls = [-1.0, 0.0, 0.0];
+            assert!(accepts(falls, [1.0, 0.0, 0.0]) && accepts(falls, [1.0 + 1e-9, 1e-9 / mu, 0.0]), "{mu}");
+            for lift in [1e-7, 1e-4, 1e-2, 1.0] {
+                assert!(!accepts(falls, [1.0 + lift, lift / mu, 0.0]), "{lift} m/s at {mu}");
+            }
+            // at the edge of the cone it slides, however slowly, and opens by it
+            for slip in [1e-3, 1e-9] {
+                let free = [mu * slip - 1.0, -slip - mu, 0.0];
+                assert!(accepts(free, [1.0, mu, 0.0]), "{slip} m/s at {mu}");
+            }
+            // without an impulse it is open
+            assert!(accepts([2.0 * mu, 1.0, 0.0], [0.0; 3]) && accepts([mu, 1.0, 0.0], [0.0; 3]), "{mu}");
+        }
+    }
+
     #[test]
     fn a_stored_velocity_that_is_wrong_is_told_at_its_contact() {
         let (problem, right) = points();

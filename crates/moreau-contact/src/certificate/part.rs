@@ -46,7 +46,7 @@ impl Part {
     }
 
     /// The part with the smaller relative size; one that is not a number if there is one.
-    fn better(self, other: Part) -> Part {
+    pub(super) fn better(self, other: Part) -> Part {
         if other.relative().is_nan() || (self.exceeds(&other) && !self.relative().is_nan()) { other } else { self }
     }
 

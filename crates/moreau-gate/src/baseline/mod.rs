@@ -3,7 +3,7 @@
 //! ```text
 //!     badness of a value   |v − e| (equal),  max(0, v − e) (at most),  max(0, e − v) (at least)
 //!                          e the prediction of the declared law, else the ideal
-//!     worse                badness now > badness then + 4.3 · spread + allowance/1024
+//!     worse                badness now > badness then + 4.3 · spread + allowance/1024, or bad where the baseline has no such value
 //! ```
 //! The file is TOML, made by `--save-baseline` and meant to be read, edited and committed; `known_issue` entries are written by hand.
 
@@ -370,6 +370,9 @@ impl BaselineCheck {
         } else if now.verdict == Verdict::Unsupported && self.verdict != Verdict::Unsupported {
             changes.push((change(now, ChangeKind::Regression, format!("unsupported instead of {}", words(self.verdict))), Vec::new()));
         }
+        if changes.is_empty() {
+            changes.extend(self.news(now));
+        }
         for step in &now.steps {
             let pairs = step.measurements.iter().filter_map(|one| Some((one, self.partner(step.time_step, one)?)));
             let told = pairs.filter_map(|(one, then)| then.compare(one).map(|(kind, what)| (change(now, kind, what), one)));
@@ -383,6 +386,16 @@ impl BaselineCheck {
             changes.push((change(now, ChangeKind::Regression, what), Vec::new()));
         }
         changes
+    }
+
+    /// The bad values that the baseline does not have: what every answer is asked has a value only where it is wrong.
+    fn news<'a>(&self, now: &'a CheckOutcome) -> Option<(Change, Vec<Value<'a>>)> {
+        let bad: Vec<Value<'a>> = bad(now).into_iter().filter(|(step, one)| self.partner(*step, one).is_none()).collect();
+        let told: Vec<String> = bad
+            .iter()
+            .map(|(step, one)| format!("{}{}: {}", one.quantity, at(*step), with_unit(&significant(one.value), &one.unit)))
+            .collect();
+        (!bad.is_empty()).then(|| (change(now, ChangeKind::Regression, format!("bad, and not in the baseline: {}", told.join("; "))), bad))
     }
 
     /// Whether both have values, of which none could be compared.

@@ -57,6 +57,38 @@ fn a_new_failure_is_a_regression_and_an_old_one_is_not() {
     assert!(kinds(&value(1.5, 0.0), &value(0.5, 0.0)).iter().all(|kind| *kind == ChangeKind::Improvement));
 }
 
+/// What every answer is asked has a value only where it is wrong, so that a baseline has none of it.
+#[test]
+fn a_bad_value_that_the_baseline_does_not_have_is_a_regression_unless_it_is_known() {
+    let (then, mut now) = (value(1.5, 0.0), value(1.5, 0.0));
+    let pulls = |value: f64| Measurement::new("ground that pulls", "N*s", value, Expectation::equal(0.0, 1.0, ""));
+    now.checks[0].steps[0].measurements.push(pulls(0.5));
+    assert_eq!(kinds(&then, &now), [], "new, and fine");
+    now.checks[0].steps[0].measurements.push(pulls(3.0));
+    now.checks[0].steps[0].measurements.remove(1);
+    assert_eq!(kinds(&then, &now), [ChangeKind::Regression]);
+    let mut baseline = Baseline::of(&then);
+    let issue = |quantity: &str| KnownIssue {
+        check: CHECK.into(),
+        quantity: Some(quantity.into()),
+        time_step: None,
+        least: None,
+        most: None,
+        reason: "known".into(),
+        expires: None,
+    };
+    for (quantity, kind) in [("error", ChangeKind::Regression), ("ground that pulls", ChangeKind::Known)] {
+        baseline.known_issues = vec![issue(quantity)];
+        let changes = baseline.compare(&now, day("2026-11-21")).expect("comparable");
+        assert_eq!(changes.iter().map(|change| change.kind).collect::<Vec<_>>(), [kind]);
+    }
+    // where nothing was measured before, what is bad now is as new
+    let mut errored = then.clone();
+    errored.checks = vec![CheckOutcome::new(CHECK, vec![StepOutcome::new(Some(0.5), Err(crate::Refusal::errored("crashed")))])];
+    assert_eq!(kinds(&errored, &errored), []);
+    assert!(kinds(&errored, &then).contains(&ChangeKind::Regression));
+}
+
 #[test]
 fn what_is_bounded_gets_worse_beyond_its_bound() {
     let depth = |value| report(Measurement::new("depth", "m", value, Expectation::at_most(1.0, 1.0, "")));

@@ -157,6 +157,31 @@ mod tests {
     use moreau_exact::tolerance::rounding;
 
     #[test]
+    fn q_and_its_negative_are_one_orientation_to_every_check_that_reads_one() {
+        let families = ["rocking/", "painleve/", "flight/", "round/", "tumbling/", "stack/three"];
+        let reads = |check: &&crate::Check| families.iter().any(|family| check.name.starts_with(family));
+        let each_step = |check: &&crate::Check| matches!(check.run, crate::Run::EachStep(_));
+        for check in crate::checks::all().filter(reads).filter(each_step) {
+            let values = |every: usize| {
+                let negated = move |motion: &mut moreau_dynamics::trajectory::Trajectory| {
+                    for (k, q) in motion.bodies.iter_mut().flat_map(|track| track.orientation.iter_mut().enumerate()) {
+                        *q = q.map(|part| if (k + 1).is_multiple_of(every) { -part } else { part });
+                    }
+                };
+                let measured = crate::exact::measure(check.name, 1.0 / 60.0, &mut crate::exact::Reporting(negated));
+                measured.into_iter().map(|one| (one.verdict(), one.value)).collect::<Vec<_>>()
+            };
+            let plain = values(usize::MAX); // no sample of them
+            for every in [1, 2] {
+                let close = |((verdict, value), (other, now)): (&(crate::Verdict, f64), &(crate::Verdict, f64))| {
+                    verdict == other && (value - now).abs() <= 1e-9 * value.abs().max(1.0)
+                };
+                assert!(plain.iter().zip(&values(every)).all(close), "{}: {plain:?} and {:?}", check.name, values(every));
+            }
+        }
+    }
+
+    #[test]
     fn gravity_splits_into_pull_and_press() {
         let mut scene = over_floor("slope", vec![sphere("ball", 1.0, 0.1, [0.0; 3])], 0.0);
         let (sine, cosine) = 0.3f64.sin_cos();

@@ -66,9 +66,9 @@ fn exact() -> Reply<RockingBlock> {
     RockingBlock::new(HALF[0], HALF[2], GRAVITY).map_err(Refusal::errored)
 }
 
-/// Tilt \[rad\] about the y axis at every sample: positive on the left edge, negative on the right.
+/// Tilt \[rad\] about the y axis at every sample: positive on the left edge, negative on the right. q and −q are one orientation.
 fn tilts(trajectory: &Trajectory) -> impl Iterator<Item = f64> {
-    trajectory.bodies[0].orientation.iter().map(|[w, _, y, _]| -2.0 * y.atan2(*w))
+    trajectory.bodies[0].orientation.iter().map(|[w, _, y, _]| -2.0 * (y / w).atan())
 }
 
 fn impact(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {

@@ -77,6 +77,8 @@ struct Known {
     roots: [f64; 3],
     /// Whether a normal impulse moves its own contact, W_nn + R_nn > 0, and friction, tr(W_tt + R_tt) > 0.
     moves_itself: [bool; 2],
+    /// By how much the rounding of y_t counts in that of w: max(1, μ) for the associated laws, whose w = y_n − μ‖y_t‖, else 1.
+    lifts: f64,
     /// The first contact of the same island.
     island: usize,
     /// The first contact of the same two bodies: see [`groups`].
@@ -166,10 +168,13 @@ impl Scales {
         self.floors.resize(problem.rows(), 0.0);
         let places = problem.islands().first.iter().zip(problem.groups(groups::find));
         self.contacts.clear();
-        for ((weights, moves_itself), (island, group)) in weights.iter().zip(moves_itself.iter()).zip(places) {
+        let is_associated = matches!(problem.law(), Law::Associated | Law::PolyhedralAssociated { .. });
+        let known = weights.iter().zip(moves_itself.iter()).zip(problem.friction()).zip(places);
+        for (((weights, moves_itself), mu), (island, group)) in known {
             let [n, t] = [(1.0 / weights[0]).sqrt(), (2.0 / weights[1]).sqrt()];
             let (weights, moves_itself, island, group) = (*weights, *moves_itself, *island, *group);
-            self.contacts.push(Known { weights, roots: [n, t, n.max(t)], moves_itself, island, group });
+            let lifts = if is_associated { mu.max(1.0) } else { 1.0 };
+            self.contacts.push(Known { weights, roots: [n, t, n.max(t)], moves_itself, lifts, island, group });
         }
         self.unheld = (Vec::new(), 0.0);
     }
@@ -266,7 +271,7 @@ impl Scales {
         let most = known.most(jammed);
         let (sizes, floors) = (self.sizes(contact, jammed, most), [given[0], tangential_norm(given)]);
         let impulse = if known.moves_itself[0] { [sizes[0], 0.0] } else { self.of_impulse(known) };
-        let uncertain = if floors[0].max(floors[1]) > hidden { Some(self.rounding(contact, given)) } else { None };
+        let uncertain = if floors[0].max(known.lifts * floors[1]) > hidden { Some(self.rounding(contact, given)) } else { None };
         let part = |value| Part { value, scale: sizes[0] / weights[0], floor: hidden };
         let uncertain = uncertain.filter(|value| value.is_nan() || *value > hidden).map(part);
         Held { weights, sizes, most, impulse, floors: floors.map(|floor| at_most(hidden, floor)), uncertain }
@@ -278,7 +283,7 @@ impl Scales {
     fn rounding<const ROWS: usize>(&self, contact: usize, floors: &[f64; ROWS]) -> f64 {
         let lost = |row: usize| self.unrounded.get(contact * ROWS + row).copied().unwrap_or(0.0);
         let rounded: [f64; ROWS] = std::array::from_fn(|row| floors[row] - lost(row));
-        rounded[0].max(tangential_norm(&rounded))
+        rounded[0].max(self.contacts[contact].lifts * tangential_norm(&rounded))
     }
 
     /// What a stored u may be off by, row by row \[m/s\].

@@ -44,7 +44,7 @@ impl Scales {
             let own = k * rows..(k + 1) * rows;
             let lost = |row: usize| self.unrounded.get(row).copied().unwrap_or(0.0);
             let rounded: Vec<f64> = own.clone().map(|row| self.floors[row] - lost(row)).collect();
-            let is_certain = rounded[0].max(tangential_norm(&rounded)) <= self.hidden(k);
+            let is_certain = rounded[0].max(self.contacts[k].lifts * tangential_norm(&rounded)) <= self.hidden(k);
             let made = self.made_rounding(problem, k);
             for row in own {
                 // u itself is one double, and a sum of them

@@ -112,9 +112,9 @@ fn is_swept_alone(problem: &ContactProblem) -> bool {
 }
 
 /// Whether it is a linear complementarity problem with few enough unknowns for all of its complementary cones: as it stands, or with λ, β
-/// and σ of friction that may jam.
+/// and σ of friction that may jam, or with the edges of an associated law, which W that is singular or none of bodies may jam as well.
 fn is_enumerated(problem: &ContactProblem) -> bool {
-    let few = || !is_convex(problem) && unknowns(problem, problem.law().directions().unwrap_or(2)) <= LARGEST;
+    let few = || unknowns(problem, problem.law().directions().unwrap_or(2)) <= LARGEST;
     Enumeration::fits(problem) && (problem.rows_per_contact() == 1 || few())
 }
 

@@ -21,6 +21,21 @@ fn contacts_that_open_by_themselves_are_answered_without_an_algorithm() {
     }
 }
 
+/// Pushes along the tangent move the contact away, or as much along the normal as along it: no other algorithm comes to an end.
+#[test]
+fn one_contact_that_jams_on_its_edges_is_enumerated() {
+    let law = Law::PolyhedralAssociated { directions: 2 };
+    let problem = |w: [f64; 4], free: [f64; 2]| {
+        let problem = ContactProblem::new(DMatrix::from_row_slice(2, 2, &w), DVector::from_row_slice(&free)).rows_per_contact(2);
+        problem.law(law).friction(vec![8.0]).build().expect("valid")
+    };
+    let solved = problem([0.0, 1.0, 2.0, -2.0], [3.0, -1.0]);
+    let answer = Auto.solve(&solved, None).expect("it has an answer");
+    assert!(residuals(&solved, &answer).expect("sizes fit").is_solution(ENOUGH), "{}", answer.solver);
+    // p = (1, −1) is in the cone, moves nothing, and p·q = −2
+    assert!(is_infeasible(&Auto.solve(&problem([1.0; 4], [0.0, 2.0]), None).expect_err("none")));
+}
+
 /// `count` chains of five rows each that meet no other chain, and as many rows alone, mixed: the chains are ever harder.
 fn chains(count: usize) -> ContactProblem {
     let n = 6 * count;

@@ -30,7 +30,8 @@ pub const CHECKS: &[Check] = &[
             u + 7/2 μ v_n = g sin α t/50, with one contact and no redundant ones. Its lever is R − δ for the measured depth. Above: four \
             corners share the load in many ways, and three that slide with μ leave the fourth less than it can hold, so that a plate hides \
             what sticks up to less than μ. A ball whose mass is far outside, J = 100 m R², has one contact and hardly turns: it \
-            sticks with μ = 51/50 tan α · 100/101, and the mean of its slip is what solvers leave. Not measured: pyramids, of which \
+            sticks with μ = 51/50 tan α · 100/101, and the mean of its slip is what solvers leave; v + 100 R ω = g sin α t tells its \
+            inertia, whatever friction is, where nothing is declared that resists rolling. Not measured: pyramids, of which \
             one holds more or \
             less than μ, and laws that creep, whose slip incline/stick predicts.",
         source: "Coulomb's law: rest exactly for tan α ≤ μ",
