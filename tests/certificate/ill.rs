@@ -2,10 +2,10 @@
 
 use crate::exact::{Exact, Known, zero};
 use crate::family::answer;
-use crate::rule::{CERTIFY, OWN_DATA};
+use crate::rule::{Answer, CERTIFY, OWN_DATA, judge};
 use moreau::certificate::residuals;
 use moreau::problem::{ContactProblem, Dynamics, Law, Solution};
-use moreau::scalar::{Rational, ratio};
+use moreau::scalar::{Rational, exact, ratio};
 use nalgebra::{DMatrix, DVector};
 
 /// Contacts of separate bodies with these masses and these free velocities (n, t₁, …), μ = ½.
@@ -79,6 +79,23 @@ fn an_answer_turned_on_the_cone_is_refused_however_fast_it_slides() {
             for turn in [1e-6, -1e-6, 1e-3, 3.0] {
                 assert!(!accepted(&problem, &impulse(turn)), "{law:?} turned by {turn} at {speed}");
             }
+        }
+    }
+}
+
+/// Where friction sticks, y_n = μ‖y_t‖ is no more excused than any other velocity, by the certificate and by the rule.
+#[test]
+fn a_slip_that_is_nothing_excuses_no_velocity_however_large_the_coefficient_is() {
+    for mu in [10.0, 1e3, 1e6, 1e9] {
+        let problem = blocks(Law::Associated, &[1], &[&[(-1, 1), (0, 1), (0, 1)]]);
+        let problem = problem.into_builder().friction(vec![mu]).build().expect("a coefficient");
+        for (lift, is_right) in [(0.0, true), (2f64.powi(-28), true), (2f64.powi(-25), false), (2f64.powi(-10), false), (1.0, false)] {
+            let impulse = [1.0 + lift, 0.6 * lift / mu, -0.8 * lift / mu];
+            assert_eq!(accepted(&problem, &impulse), is_right, "{lift} m/s at {mu}");
+            let (known, impulse) = (Exact::of(&problem), impulse.map(exact));
+            let net = known.net(&impulse);
+            let ratio = judge(&known, &[vec![0]], &Answer { impulse: &impulse, net: &net }, CERTIFY)[0];
+            assert!(if is_right { ratio.most < 0.5 } else { ratio.least > 2.0 }, "{lift} m/s at {mu}: {ratio:?}");
         }
     }
 }
