@@ -100,6 +100,27 @@ fn a_slip_that_is_nothing_excuses_no_velocity_however_large_the_coefficient_is()
     }
 }
 
+/// W_tt is 10⁵ and more times W_nn, so that 10⁻⁸ of what r moves along the tangent is a normal velocity that decides r_n, and by it where a
+/// light contact goes.
+#[test]
+fn a_slip_beside_a_fast_tangent_excuses_no_normal_velocity_whatever_the_coefficient_is() {
+    for (mu, along, part) in [(1e6, 1024.0, 0.00390625), (0.5, 1024.0, 0.00390625), (1.5, 16384.0, 0.015625)] {
+        let w = part * part;
+        // y = (y_n, y_n/μ) at the first contact with r_n = 1, the second one opens at 1 + part
+        let y_n = 0.6 * w;
+        let rows = [[w, 0.0, part, 0.0], [0.0, along, 0.0, 0.0], [part, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+        let free = DVector::from_vec(vec![y_n - w, y_n / mu, 1.0, 0.0]);
+        let delassus = DMatrix::from_fn(4, 4, |i, j| rows[i][j]);
+        let problem = ContactProblem::new(delassus, free).law(Law::Associated).rows_per_contact(2).friction(vec![mu, 0.5]);
+        let problem = problem.build().expect("sizes fit");
+        // stuck, y = 0
+        let right = (w - y_n) / w;
+        let slides = y_n / mu / along;
+        assert!(accepted(&problem, &[right, -slides, 0.0, 0.0]), "{mu}");
+        assert!(!accepted(&problem, &[1.0, 0.0, 0.0, 0.0]), "{mu}");
+    }
+}
+
 #[test]
 fn parts_that_contradict_the_impulse_are_refused_beside_a_heavy_contact() {
     let problem = blocks(Law::PolyhedralCoulomb { directions: 2 }, &[100_000_000, 1], &SLIDING);

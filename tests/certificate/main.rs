@@ -16,7 +16,7 @@
 //!     friction     e = ‖r_t − P_a(z)‖ ,  z = r_t − ρ_t y_t ,  P_a onto the disk of radius a = μ r_n
 //!                  ‖z‖ ≤ a   sticks   e ≤ max(τ s_t, ρ_t φ_t)
 //!                  ‖z‖ > a   slides   e ≤ max(τ μ s_r, ρ_t φ_t min(1, 2a/‖z‖) + 8ε a)
-//!     lift         associated, μ > 1, ‖z‖ ≤ a :  the least of  μ‖y_t‖ in max(τ max(s_n/ρ_n, s_t/ρ_t), φ_w) ,  a − ‖r_t‖ as if it slid ,
+//!     lift         associated, ‖z‖ ≤ a :  the least of  y_n in max(τ s_n/ρ_n, φ_n) ,  a − ‖r_t‖ as if it slid ,
 //!                  ‖r‖ in τ s_n
 //!     none         μ = 0 or frictionless: ‖r_t‖ ≤ τ s_r
 //!     edges        0 ≤ β_j ⟂ D_j·y_t + σ ≥ 0 ,  0 ≤ μ r_n − Σβ ⟂ σ ≥ 0   within τ μ s_r

@@ -253,18 +253,17 @@ impl At {
         both(cone, open_branch(sticks, slides, nearest(&(radius - length)), 4.0 * (floor + self.last_digits * a)))
     }
 
-    /// Where friction sticks, y_n must be a velocity within its limit, not μ times one: μ‖y_t‖ is within those of velocities, or ‖r_t‖ is
-    /// that of sliding friction, or there is no impulse.
+    /// Where friction sticks, y_n is a normal velocity like others, not μ times a slip: it is within their limit, or ‖r_t‖ is that of
+    /// sliding friction, or there is no impulse.
     fn lift(&self) -> Ratio {
-        if self.slip.is_empty() || self.mu <= ratio(1, 1) {
+        if self.slip.is_empty() || self.mu == zero() {
             return sure(0.0);
         }
         let radius = (&self.mu * &self.impulse).max(zero());
         let z: Vec<Rational> = self.friction.iter().zip(&self.slip).map(|(r, y)| r - &self.rho_t * y).collect();
         let excess = nearest(&(&radius - norm(&z)));
-        let (rho_t, mu) = (nearest(&self.rho_t), nearest(&self.mu));
-        let velocity = self.tolerance * (self.scales.normal / self.rho_n).max(self.scales.tangential / rho_t);
-        let lifted = quotient(nearest(&(&self.mu * norm(&self.slip))), velocity.max(self.floor_n + mu * self.floor_t));
+        let rho_t = nearest(&self.rho_t);
+        let lifted = quotient(nearest(&self.normal), (self.tolerance * self.scales.normal / self.rho_n).max(self.floor_n));
         let pushed = norm(&self.friction);
         let edge = quotient(nearest(&(&radius - &pushed)), self.friction_limit().max(self.last_digits * nearest(&radius)));
         let whole = norm(&[self.impulse.clone(), pushed]);

@@ -13,8 +13,8 @@
 //! An impulse that counts as none is held against what it moves at other contacts, too, where W may carry it far:
 //! see [`reach`](super::reach).
 //!
-//! Inside of the disk the friction of an associated law holds where y_t is within its limit; that may not excuse y_n = μ‖y_t‖, which μ > 1
-//! makes a velocity of its own: there μ‖y_t‖ is within the limits of velocities, or r_t is at the edge of the disk, or r counts as none.
+//! Inside of the disk the friction of an associated law holds where y_t is within its limit; that excuses no y_n = μ‖y_t‖, which has a
+//! scale of its own: there y_n is within it, or r_t is at the edge of the disk, or r counts as none.
 //!
 //! The scale of a product is that of one member times the size of the other: an impulse that is larger than its scale times a velocity that
 //! is within its own says no more than this velocity. Where a contact slides, the scale of friction is μ s_r, for μ > 1 at most the larger
@@ -316,16 +316,15 @@ fn second_order<const ROWS: usize>(law: Law, [r, y]: [&[f64; ROWS]; 2], here: &H
     }
 }
 
-/// What lets y_n = μ‖y_t‖ be, μ > 1, where friction is inside of the disk, r_t − ρ_t y_t too: the least of μ ρ_t‖y_t‖, the way of r_t to
-/// the edge, and r.
+/// What lets y_n = μ‖y_t‖ be where r_t − ρ_t y_t is inside of the disk: the least of y_n, the way of r_t to the edge, and r.
 fn lifted<const ROWS: usize>(mu: f64, [r, y]: [&[f64; ROWS]; 2], here: &Here) -> Part {
-    let ([rho_n, rho_t], [s_n, _, s_t], [floor_n, floor_t]) = (here.weights, here.sizes, here.floors);
-    let (slip, pushed, radius) = (tangential_norm(y), tangential_norm(r), mu * at_least(0.0, r[0]));
+    let ([rho_n, rho_t], [floor_n, _]) = (here.weights, here.floors);
+    let (pushed, radius) = (tangential_norm(r), mu * at_least(0.0, r[0]));
     let left: [f64; ROWS] = std::array::from_fn(|row| r[row] - rho_t * y[row]);
-    if mu <= 1.0 || tangential_norm(&left) > radius {
+    if mu == 0.0 || tangential_norm(&left) > radius {
         return Part::default();
     }
-    let lift = Part { value: mu * rho_t * slip, scale: at_least(s_t, s_n * rho_t / rho_n), floor: rho_t * (floor_n + mu * floor_t) };
+    let lift = Part { value: rho_n * at_least(0.0, y[0]), scale: here.sizes[0], floor: rho_n * floor_n };
     let to_edge = Part { value: radius - pushed, scale: here.friction_scale(mu), floor: PROJECTED * radius };
     let none = Part { value: length(pushed, r[0]), scale: here.impulse[0], floor: here.impulse[1] };
     lift.better(to_edge).better(none.worse(here.reach(|| in_space(r), true)))

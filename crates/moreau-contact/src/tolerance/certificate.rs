@@ -48,8 +48,9 @@ pub const PROJECTED: f64 = 8.0 * EPSILON;
 
 /// 10³: the scale of an impulse is at most this many times the impulse that the largest velocity of the problem asks of the contact. So the
 /// lowest of a thousand equal bodies is judged by its real load; a light body between heavier ones, and impulses that only push against
-/// each other, excuse no more. An answer that is accepted at 10⁻⁸ is within 10⁻⁵ of those velocities, however hard contacts press; double
-/// precision reaches that, for the rounding of a load 10⁶ times larger is 10⁻¹⁰ of them times the number of terms.
+/// each other, excuse no more. An answer that is accepted at 10⁻⁸ misses its law by at most 10⁻⁵ of those velocities, however hard contacts
+/// press; where W is nearly singular velocities may be off by more, as the root of that, and `certify --prove` says how far. Double
+/// precision reaches it, for the rounding of a load 10⁶ times larger is 10⁻¹⁰ of them times the number of terms.
 /// Required: of every answer that is accepted, by the users of the certificate.
 pub const JAMMED: f64 = 1e3;
 
