@@ -17,17 +17,6 @@ fn read(path: &Path) -> String {
     std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// A path of the repository; a crate is in `crates/`, or beside the unpacked archive of the top one.
-fn here(path: &str) -> PathBuf {
-    let checkout = root().join(path);
-    match path.strip_prefix("crates/").and_then(|rest| rest.split_once('/')) {
-        Some((name, rest)) if !root().join("crates").exists() => {
-            root().join("..").join(format!("{name}-{}", env!("CARGO_PKG_VERSION"))).join(rest)
-        }
-        _ => checkout,
-    }
-}
-
 /// The Markdown files of the top crate: those beside its manifest, those of the stored runs and all of `docs/`.
 fn pages() -> Vec<PathBuf> {
     let named = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "references/README.md"];
@@ -235,7 +224,7 @@ fn anchors(text: &str) -> impl Iterator<Item = String> {
 
 #[test]
 fn every_link_leads_to_a_file_and_a_heading() {
-    let of_crates = here("crates/moreau-contact/README.md");
+    let of_crates = root().join("crates/moreau-contact/README.md");
     let found: Vec<_> = pages().iter().chain([&of_crates]).flat_map(|page| broken(page, &read(page))).collect();
     assert_eq!(found, Vec::<String>::new(), "broken links");
     let planted = "[a](docs/gate.md#verdicts) [b](docs/gate.md#nowhere) [c](nowhere.md)\n```text\n[d](code.md)\n```\n\
@@ -272,7 +261,7 @@ fn every_example_in_rust_is_a_documentation_test() {
 /// The folders of sources of all crates.
 fn rooms() -> Vec<PathBuf> {
     let crates = ["exact", "forms", "contact", "dynamics", "checks", "replicas", "gate"];
-    let libraries = crates.map(|name| here(&format!("crates/moreau-{name}/src/lib.rs")));
+    let libraries = crates.map(|name| root().join(format!("crates/moreau-{name}/src/lib.rs")));
     let folder = |library: &PathBuf| library.parent().expect("a folder").to_path_buf();
     libraries.iter().map(folder).chain([root().join("src")]).collect()
 }
@@ -294,7 +283,7 @@ fn unfounded(evidence: &str) -> Vec<String> {
     let (mut text, mut wrong) = (None, Vec::new());
     for word in evidence.split('`').skip(1).step_by(2) {
         if word.contains('/') && !word.contains(' ') {
-            text = std::fs::read_to_string(here(word)).ok();
+            text = std::fs::read_to_string(root().join(word)).ok();
         }
         if !text.as_ref().is_some_and(|text: &String| word.contains('/') || text.contains(word)) {
             wrong.push(word.to_string());
@@ -335,7 +324,7 @@ fn every_term_of_the_glossary_names_a_type_that_its_file_defines() {
     for row in text.lines().filter(|line| line.starts_with("| ") && line.contains(".rs`: `")) {
         let (place, name) = row.rsplit_once("`: `").expect("a file and a type");
         let (file, name) = (place.rsplit('`').next().expect("a file"), name.trim_end_matches("` |"));
-        let source = read(&here(file));
+        let source = read(&root().join(file));
         assert!(source.lines().any(|line| defines(line, name)), "docs/glossary.md: {file} does not define {name}");
         if name.starts_with(char::is_uppercase) {
             let places = sources.iter().filter(|(text, _)| text.lines().any(|line| defines(line, name))).map(|(_, file)| file);

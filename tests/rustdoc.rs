@@ -16,15 +16,10 @@ const LEAST: [(&str, usize); 8] = [
     ("moreau", 8),
 ];
 
-/// The folder of sources of a crate, in a checkout or beside the unpacked archive of the top one.
+/// The folder of sources of a crate.
 fn sources(name: &str) -> PathBuf {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let folder = match name {
-        "moreau" => root.to_path_buf(),
-        _ if root.join("crates").exists() => root.join("crates").join(name),
-        _ => root.join("..").join(format!("{name}-{}", env!("CARGO_PKG_VERSION"))),
-    };
-    folder.join("src")
+    if name == "moreau" { root.join("src") } else { root.join("crates").join(name).join("src") }
 }
 
 fn rust_files(folder: &Path, files: &mut Vec<PathBuf>) {

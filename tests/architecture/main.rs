@@ -46,14 +46,10 @@ impl File {
 const ROOMS: [&str; 8] =
     ["moreau-exact", "moreau-forms", "moreau-contact", "moreau-dynamics", "moreau-checks", "moreau-replicas", "moreau-gate", "moreau-site"];
 
-/// The folder of a crate: in the workspace, or beside the unpacked archive of the top one.
+/// The folder of a crate of the workspace.
 fn folder(room: &str) -> PathBuf {
     let top = Path::new(env!("CARGO_MANIFEST_DIR"));
-    if room == "moreau" {
-        return top.into();
-    }
-    let places = [top.join("crates").join(room), top.join("..").join(format!("{room}-{}", env!("CARGO_PKG_VERSION")))];
-    places.into_iter().find(|place| place.exists()).unwrap_or_else(|| panic!("{room} is neither in crates/ nor beside this archive"))
+    if room == "moreau" { top.into() } else { top.join("crates").join(room) }
 }
 
 /// Every file of every crate that is compiled outside tests.

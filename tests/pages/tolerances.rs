@@ -14,12 +14,9 @@ const CONSTANTS: [(&str, f64); 6] = [
     ("STEP", gate::conformance::STEP),
 ];
 
-/// The text of a file of a crate, in a checkout or beside the unpacked archive of the top one.
+/// The text of a file of a crate.
 fn source(path: &str) -> String {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let (name, rest) = path.strip_prefix("crates/").and_then(|rest| rest.split_once('/')).expect("a file of a crate");
-    let packed = root.join("..").join(format!("{name}-{}", env!("CARGO_PKG_VERSION"))).join(rest);
-    let file = if root.join("crates").exists() { root.join(path) } else { packed };
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
     std::fs::read_to_string(&file).unwrap_or_else(|error| panic!("{}: {error}", file.display()))
 }
 
