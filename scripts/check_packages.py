@@ -90,8 +90,8 @@ def repository_files() -> list[str]:
 
 
 def profiles(manifest: str) -> str:
-    """The profile tables of a manifest, with the comments before them left out."""
-    return "\n".join(re.findall(r"^\[profile\.[^\n]*\]\n(?:[^\[\n#][^\n]*\n)+", manifest, flags=re.MULTILINE))
+    """The profile tables of a manifest."""
+    return "\n".join(re.findall(r"^\[profile\.[^\n]*\]\n(?:[^\[\n][^\n]*\n)+", manifest, flags=re.MULTILINE))
 
 
 def workspace(top: str, members: list[str], folders: list[str], manifest: str) -> str:
