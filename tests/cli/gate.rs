@@ -195,6 +195,12 @@ fn stored_trajectories_are_judged_like_a_program() {
     let run = moreau(&["gate", "--only", "incline/", "--steps", "0.01", "--trajectory", &answer]);
     assert_eq!(run.code, 1, "{}{}", run.output, run.message);
     assert!(run.output.contains("pass        trajectory/answer") && run.message.contains("at least one is needed"), "{}", run.message);
+    // what is answered at some of the steps only is told, and so is a run that answers nothing
+    let run = moreau(&["gate", "--only", "flight/projectile", "--steps", "0.01,0.005", "--trajectory", &answer]);
+    let partly = "flight/projectile is answered at h = 0.01 s only; no motion answers it at h = 0.005 s";
+    assert!(run.code == 0 && run.message.contains(partly), "{}{}", run.output, run.message);
+    let run = moreau(&["gate", "--steps", "0.005", "--trajectory", &answer]);
+    assert!(run.code == 0 && run.message.contains("no check of the gate is answered by these motions"), "{}", run.message);
 }
 
 /// What the checks ask for depends on what the engine declares: Anitescu's law starts over the floor.

@@ -16,6 +16,9 @@ use std::sync::Arc;
 /// How the reason begins for which a stored motion does not answer.
 pub const LACKS_SAMPLES: &str = "the stored trajectory of";
 
+/// How the reason begins where there is no motion of a scene at a time step.
+pub const NOT_STORED: &str = "no stored trajectory of";
+
 /// Trajectories of one engine.
 #[derive(Clone)]
 pub struct Library {
@@ -80,10 +83,7 @@ impl Engine for Library {
         let mut matching: Vec<&Trajectory> = self.trajectories.iter().filter(is_of).collect();
         matching.sort_by(|one, other| length(other).partial_cmp(&length(one)).unwrap_or(std::cmp::Ordering::Equal));
         let longest = matching.first().ok_or_else(|| {
-            Refusal::unsupported(format!(
-                "no stored trajectory of the scene `{}` at h = {time_step} s (see `moreau gate --write-scenes`)",
-                scene.name
-            ))
+            Refusal::unsupported(format!("{NOT_STORED} the scene `{}` at h = {time_step} s (see `moreau gate --write-scenes`)", scene.name))
         })?;
         let steps = (scene.duration / time_step).round() as usize;
         let answer_of =

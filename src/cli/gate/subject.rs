@@ -5,9 +5,9 @@ use crate::cli::output::print_aside;
 use crate::cli::time_limit::of_reply;
 use crate::gate::audit::{AUDITS, audit};
 use crate::gate::baseline::Baseline;
-use crate::gate::library::{LACKS_SAMPLES, Library, read_description};
+use crate::gate::library::{LACKS_SAMPLES, Library, NOT_STORED, read_description};
 use crate::gate::process::{Limits, ProcessEngine, end_engines_on_interrupt};
-use crate::gate::{CheckOutcome, Engine, Report, Verdict};
+use crate::gate::{CheckOutcome, Engine, Report, StepOutcome, Verdict};
 use crate::number::significant;
 use crate::trajectory::Trajectory;
 use crate::{Error, Result};
@@ -51,6 +51,7 @@ pub fn audited(arguments: &Arguments, mut report: Report, baseline: Option<&Base
     let all_are_asked = !arguments.only.is_empty() || arguments.require.is_some();
     let is_held = |name: &str| baseline.is_some_and(|baseline| baseline.checks.iter().any(|check| check.name == name));
     report.checks.iter().filter_map(lacking).for_each(|remark| print_aside(&remark));
+    report.checks.iter().filter_map(partly).for_each(|remark| print_aside(&remark));
     report.checks.retain(|check| check.verdict != Verdict::Unsupported || all_are_asked || is_held(&check.check));
     if report.checks.iter().all(|check| check.verdict == Verdict::Unsupported) {
         print_aside("remark: no check of the gate is answered by these motions, so that they are audited alone; see --write-scenes\n");
@@ -71,6 +72,21 @@ fn lacking(check: &CheckOutcome) -> Option<String> {
     let mut reasons = check.steps.iter().filter_map(|step| step.reason.as_deref());
     let reason = reasons.find(|reason| reason.starts_with(LACKS_SAMPLES)).filter(|_| check.verdict == Verdict::Unsupported)?;
     Some(format!("remark: {} is not answered: {reason}\n", check.check))
+}
+
+/// That a check is answered at some of the time steps only: one that fails elsewhere would pass.
+fn partly(check: &CheckOutcome) -> Option<String> {
+    let is_missing = |step: &&StepOutcome| {
+        let begins = |reason: &str| reason.starts_with(NOT_STORED) || reason.starts_with(LACKS_SAMPLES);
+        step.verdict == Verdict::Unsupported && step.reason.as_deref().is_some_and(begins)
+    };
+    let (missing, answered): (Vec<&StepOutcome>, Vec<&StepOutcome>) = check.steps.iter().partition(is_missing);
+    let told = |steps: &[&StepOutcome]| steps.iter().filter_map(|step| step.time_step).map(significant).collect::<Vec<_>>().join(", ");
+    let is_partly = !missing.is_empty() && answered.iter().any(|step| step.verdict != Verdict::Unsupported);
+    is_partly.then(|| {
+        let (missing, answered) = (told(&missing), told(&answered));
+        format!("remark: {} is answered at h = {answered} s only; no motion answers it at h = {missing} s\n", check.check)
+    })
 }
 
 /// That a motion ends before its scene does, and why where its producer says so: what is missing no check sees.
