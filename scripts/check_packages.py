@@ -12,7 +12,6 @@ everything once more (for a release). Needs Rust and Python 3.11.
 import argparse
 import json
 import pathlib
-import re
 import shutil
 import subprocess
 import sys
@@ -89,16 +88,11 @@ def repository_files() -> list[str]:
     return [name for name in names if name and (ROOT / name).is_file()]
 
 
-def profiles(manifest: str) -> str:
-    """The profile tables of a manifest."""
-    return "\n".join(re.findall(r"^\[profile\.[^\n]*\]\n(?:[^\[\n][^\n]*\n)+", manifest, flags=re.MULTILINE))
-
-
-def workspace(top: str, members: list[str], folders: list[str], manifest: str) -> str:
+def workspace(top: str, members: list[str], folders: list[str]) -> str:
     """The manifest of the unpacked top crate as that of a workspace: the archives ask the registry for each other, and are patched onto each other here."""
     patches = "".join(f'{name} = {{ path = "{folder}" }}\n' for name, folder in zip(members, folders, strict=True))
     listed = ", ".join(f'"{folder}"' for folder in [".", *folders])
-    return f'{top}\n[workspace]\nresolver = "3"\nmembers = [{listed}]\ndefault-members = [{listed}]\n\n[patch.crates-io]\n{patches}\n{profiles(manifest)}'
+    return f'{top}\n[workspace]\nresolver = "3"\nmembers = [{listed}]\ndefault-members = [{listed}]\n\n[patch.crates-io]\n{patches}'
 
 
 def lay_out(found: list[tuple[str, str, pathlib.PurePosixPath]], folder: pathlib.Path) -> None:
@@ -108,7 +102,7 @@ def lay_out(found: list[tuple[str, str, pathlib.PurePosixPath]], folder: pathlib
     inner = [(name, str(place)) for name, _, place in found if place != pathlib.PurePosixPath(".")]
     top = folder / "Cargo.toml"
     names, folders = [name for name, _ in inner], [place for _, place in inner]
-    top.write_text(workspace(top.read_text(encoding="utf-8"), names, folders, (ROOT / "Cargo.toml").read_text(encoding="utf-8")), encoding="utf-8")
+    top.write_text(workspace(top.read_text(encoding="utf-8"), names, folders), encoding="utf-8")
     shutil.copy(ROOT / "Cargo.lock", folder / "Cargo.lock")
 
 

@@ -66,13 +66,10 @@ class CheckPackages(unittest.TestCase):
 
     def test_every_crate_is_a_member_and_patched_under_its_name(self):
         top = '[package]\nname = "moreau"\nversion = "0.1.0"\n'
-        text = check_packages.workspace(top, ["moreau-contact"], ["crates/moreau-contact"], (check_packages.ROOT / "Cargo.toml").read_text(encoding="utf-8"))
-        manifest = tomllib.loads(text)
+        manifest = tomllib.loads(check_packages.workspace(top, ["moreau-contact"], ["crates/moreau-contact"]))
         self.assertEqual(manifest["workspace"]["members"], [".", "crates/moreau-contact"])
         self.assertEqual(manifest["workspace"]["default-members"], manifest["workspace"]["members"])
         self.assertEqual(manifest["patch"]["crates-io"]["moreau-contact"], {"path": "crates/moreau-contact"})
-        ours = tomllib.loads((check_packages.ROOT / "Cargo.toml").read_text(encoding="utf-8"))
-        self.assertEqual(manifest["profile"], ours["profile"])
 
     def test_every_crate_but_pythons_is_packed_the_top_one_first(self):
         names = [name for name, _, _ in check_packages.packages()]
