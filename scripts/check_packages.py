@@ -26,6 +26,8 @@ NOT_PACKED = {
     "crates/moreau-python/": "a package of Python, whose archive is the sdist",
     "scripts/engines/rapier/": "a package of its own, which a script compiles",
 }
+# Folders of what is built and installed.
+BUILT = {".git", ".venv", "__pycache__", "target"}
 # What cargo writes into an archive.
 WRITTEN_BY_CARGO = {".cargo_vcs_info.json", "Cargo.lock", "Cargo.toml"}
 
@@ -82,10 +84,14 @@ def differences(files: list[str], checkout: pathlib.Path, unpacked: pathlib.Path
 
 
 def repository_files() -> list[str]:
-    """What git keeps."""
-    command = ["git", "ls-files", "-z"]
-    names = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout.split("\0")
-    return [name for name in names if name and (ROOT / name).is_file()]
+    """What git keeps; where there is no git, as in an exported tree, every file but what is built or installed there."""
+    # whoever owns the folder
+    command = ["git", "-c", "safe.directory=*", "ls-files", "-z"]
+    known = subprocess.run(command, cwd=ROOT, check=False, capture_output=True, text=True) if shutil.which("git") else None
+    if known is not None and known.returncode == 0:
+        return [name for name in known.stdout.split("\0") if name and (ROOT / name).is_file()]
+    paths = (path.relative_to(ROOT) for path in ROOT.rglob("*") if path.is_file())
+    return sorted(str(path) for path in paths if not BUILT.intersection(path.parts))
 
 
 def workspace(top: str, members: list[str], folders: list[str]) -> str:
