@@ -6,7 +6,7 @@ use crate::certificate::natural_map::of_unit_mass;
 use crate::certificate::residuals;
 use crate::problem::{ContactKey, ContactProblem, Posed, Solution};
 use crate::report::certificate::Certificate;
-use crate::report::proofs::{no_solution, no_solution_jointed, none_of_the_patterns};
+use crate::report::proofs::{NoSolution, no_solution, no_solution_jointed};
 use crate::solvers::{self, ContactSolver, WithoutJoints, solve_jointed};
 use crate::tolerance::proof::LOADED;
 use crate::{Error, Result, memory};
@@ -136,21 +136,27 @@ pub fn certificate<'a>(posed: &'a Posed, solution: &'a Solution, residuals: Join
     }
 }
 
-/// Whether impulses are so large that they may hide that there is no solution: the answer is believed only where that is not proved.
-pub fn is_doubtful(residuals: &JointedResiduals) -> bool {
-    residuals.contacts.judged.loaded > LOADED
+/// That there is no solution, of an answer that would be accepted and whose impulses are so large that they may hide it. Where the data
+/// contradict themselves by no more than their rounding the residuals decide.
+pub fn denied(posed: &Posed, residuals: &JointedResiduals) -> Option<String> {
+    let loaded = residuals.contacts.judged.loaded;
+    let proof = if loaded > LOADED { proof(posed) } else { None };
+    proof.filter(|proof| !proof.is_by_rounding(loaded * residuals.relative())).map(|proof| proof.text)
 }
 
-/// The certificate, which rejects an answer that it would accept with doubt where it is proved that there is no solution.
+/// The certificate, which rejects an answer that it would accept where that is so.
 pub fn doubted<'a>(certificate: Certificate<'a>, posed: &Posed, residuals: &JointedResiduals) -> Certificate<'a> {
-    let doubtful = certificate.accepts() && is_doubtful(residuals);
-    if doubtful { certificate.with_no_solution(refuted(posed)) } else { certificate }
+    if certificate.accepts() { certificate.with_no_solution(denied(posed, residuals)) } else { certificate }
 }
 
-/// That there is no solution, where that is proved: by a witness, or by all patterns of few contacts.
+/// That there is no solution, where that is proved.
 pub fn refuted(posed: &Posed) -> Option<String> {
+    proof(posed).map(|proof| proof.text)
+}
+
+fn proof(posed: &Posed) -> Option<NoSolution> {
     match posed {
-        Posed::Contacts(problem) => no_solution(problem).or_else(|| none_of_the_patterns(problem)),
+        Posed::Contacts(problem) => no_solution(problem),
         Posed::Jointed(problem) => no_solution_jointed(problem),
     }
 }

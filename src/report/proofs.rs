@@ -136,14 +136,29 @@ fn told(found: Uniqueness) -> (&'static str, String) {
     }
 }
 
-/// That there is no solution, in a line; nothing where no witness is found.
-pub fn no_solution(problem: &ContactProblem) -> Option<String> {
-    let found = infeasible(problem)?;
-    Some(in_a_line(&found, if found.of_mechanism { MECHANISM } else { "" }))
+/// That a problem has no solution.
+pub struct NoSolution {
+    /// In a line.
+    pub text: String,
+    /// By how much the witness contradicts the data, relative to its terms; nothing where there is no witness.
+    pub relative: Option<f64>,
 }
 
-/// That all patterns of few contacts were tried and none is a solution, in a line; nothing where one is, or there are too many.
-pub fn none_of_the_patterns(problem: &ContactProblem) -> Option<String> {
+impl NoSolution {
+    /// Whether the data may contradict themselves by their rounding alone, as those of a W that was formed of fewer velocities than it has
+    /// rows, at an answer that misses the law by this much of the given velocities.
+    pub fn is_by_rounding(&self, missed: f64) -> bool {
+        self.relative.unwrap_or(missed) <= AGREES
+    }
+}
+
+/// That there is no solution, by a witness, or by all patterns of few contacts; nothing where neither is found.
+pub fn no_solution(problem: &ContactProblem) -> Option<NoSolution> {
+    infeasible(problem).map(|found| in_a_line(&found, "")).or_else(|| none_of_the_patterns(problem))
+}
+
+/// That all patterns of few contacts were tried and none is a solution; nothing where one is, or there are too many.
+fn none_of_the_patterns(problem: &ContactProblem) -> Option<NoSolution> {
     let in_plane = |all: Solutions| (all.found.is_empty() && all.continuum.is_none()).then_some(all.patterns);
     let in_space = |all: Velocities| (all.exactly() == Some(0)).then_some(all.patterns);
     let patterns = match solutions(problem) {
@@ -151,20 +166,22 @@ pub fn none_of_the_patterns(problem: &ContactProblem) -> Option<String> {
         Err(_) => velocities(problem).ok().and_then(in_space),
     }?;
     let patterns = counted(patterns, "pattern");
-    Some(format!("proved in fractions: the problem has no solution; all {patterns} of what its contacts may do were tried\n"))
+    let text = format!("proved in fractions: the problem has no solution; all {patterns} of what its contacts may do were tried\n");
+    Some(NoSolution { text, relative: None })
 }
 
 /// The same of a problem with joints: they contradict the rest by more than rounding.
-pub fn no_solution_jointed(problem: &JointedProblem) -> Option<String> {
+pub fn no_solution_jointed(problem: &JointedProblem) -> Option<NoSolution> {
     let found = infeasible_jointed(problem).ok().flatten().filter(|found| found.relative > AGREES)?;
-    Some(in_a_line(&found, if found.of_mechanism { MECHANISM } else { STORED }))
+    Some(in_a_line(&found, STORED))
 }
 
-fn in_a_line(found: &Infeasible, of_which: &str) -> String {
+fn in_a_line(found: &Infeasible, of_which: &str) -> NoSolution {
     let product = significant(Scalar::to_f64(&found.product));
-    format!(
-        "proved in fractions{of_which}: the problem has no solution; impulses p with −Wᵀp in K* have p·(u_free + shift) = {product} J\n"
-    )
+    let of_which = if found.of_mechanism { MECHANISM } else { of_which };
+    let witness = format!("impulses p with −Wᵀp in K* have p·(u_free + shift) = {product} J");
+    let text = format!("proved in fractions{of_which}: the problem has no solution; {witness}\n");
+    NoSolution { text, relative: Some(found.relative) }
 }
 
 impl Refuted {

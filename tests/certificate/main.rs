@@ -7,7 +7,8 @@
 //!     ρ_n = 1/(W_nn + R_nn) ,   ρ_t = rows(t)/tr(W_tt + R_tt)                                              [kg]
 //!     s_n = max_j |r_n|, ρ_n|q_n|, ρ_n|(W r)_n|     s_r = max_j |r_n|, ρ_n|q_n| of its own                 [N·s]
 //!     s_t = max_j μ r_n, ‖r_t‖, ρ_t‖q_t‖, ρ_t‖(W r)_t‖        j: the contacts of the same two bodies       [N·s]
-//!     none of them more than 10³ ρ V, no floor more than V_q/10⁵        V the largest velocity in q or W r of its island, V_q in q
+//!     none of them more than 10³ ρ V, no floor more than V/10⁵     V: the largest velocity in q of its own and of the contacts of
+//!         its island with r_n > ρ_n w; of all contacts, or of W r, where that is 0                                 [m/s]
 //!     φ   = γ (Σ|W||r| + |u_free| + |shift| + R|r|) , by rows; φ_t its norm over the tangential rows       [m/s]
 //!
 //!     normal       0 ≤ r_n ⟂ w ≥ 0 within τ s_n and max(τ s_n/ρ_n, φ_w)

@@ -5,7 +5,7 @@
 
 use crate::exact::{Exact, nearest, norm, zero};
 use moreau::problem::Law;
-use moreau::scalar::{Rational, ratio};
+use moreau::scalar::{Rational, exact, ratio};
 
 /// Residual over limit, from the smallest to the largest of the branches that rounding leaves open.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,6 +42,7 @@ pub struct Answer<'a> {
 }
 
 /// The numbers of one contact that the law reads.
+#[derive(Clone)]
 struct At {
     mu: Rational,
     normal: Rational,
@@ -92,19 +93,21 @@ fn pair((a, limit_a): (f64, f64), (b, limit_b): (f64, f64)) -> f64 {
     negative.max(quotient(a, limit_a).min(quotient(b, limit_b)))
 }
 
-/// Residual over limit of every contact.
+/// Residual over limit of every contact, whether the contacts of which rounding does not tell are closed or open.
 pub fn judge(problem: &Exact, groups: &[Vec<usize>], answer: &Answer, limits: Limits) -> Vec<Ratio> {
     let y = problem.law_velocity(answer.impulse, answer.net);
-    let mut at: Vec<At> = (0..problem.contacts()).map(|k| at(problem, answer, &y, k, limits)).collect();
+    let at: Vec<At> = (0..problem.contacts()).map(|k| at(problem, answer, &y, k, limits)).collect();
+    let fastest = Fastest::new(problem, &y, &at);
+    let [narrow, wide] = [false, true].map(|if_unsure| judge_limited(problem, groups, at.clone(), |k| fastest.of(k, if_unsure)));
+    let either = |(a, b): (Ratio, Ratio)| Ratio { least: a.least.min(b.least), most: a.most.max(b.most) };
+    narrow.into_iter().zip(wide).map(either).collect()
+}
+
+/// The same where no size is more than 10³ times what these velocities ask \[m/s\].
+fn judge_limited(problem: &Exact, groups: &[Vec<usize>], mut at: Vec<At>, fastest: impl Fn(usize) -> f64) -> Vec<Ratio> {
     let own: Vec<Scales> = at.iter().map(|at| at.scales).collect();
-    let data = |i: usize| nearest(&(&problem.free[i] + &problem.shift[i])).abs();
-    let stiff = |i: usize| nearest(&(&y[i] - &problem.free[i] - &problem.shift[i])).abs();
-    let islands = islands(problem);
     for (k, (at, group)) in at.iter_mut().zip(groups).enumerate() {
-        // no size is more than 10³ times what the fastest velocity of the island's data asks; of the impulses, if the data have none
-        let rows = || (0..y.len()).filter(|i| islands[i / problem.rows] == islands[k]);
-        let [given, moved] = [rows().map(data).fold(0.0, f64::max), rows().map(stiff).fold(0.0, f64::max)];
-        let most = 1e3 * if given > 0.0 { given } else { moved };
+        let most = 1e3 * fastest(k);
         let (most_n, most_t) = (most * at.rho_n, most * nearest(&at.rho_t));
         let largest = |scale: fn(&Scales) -> f64| group.iter().map(|&j| scale(&own[j])).fold(0.0, f64::max);
         let along = if problem.rows > 1 { most_t } else { f64::INFINITY };
@@ -130,6 +133,48 @@ pub fn judge(problem: &Exact, groups: &[Vec<usize>], answer: &Answer, limits: Li
             law => panic!("no rule is derived here for {law:?}"),
         })
         .collect()
+}
+
+/// What limits the sizes: the fastest velocity in the data of the island's closed contacts and of the contact itself; of all, if those have
+/// none; of the impulses, if the data have none.
+struct Fastest {
+    islands: Vec<usize>,
+    /// Of each contact the largest velocity in its data, and that of its impulses \[m/s\].
+    given: Vec<f64>,
+    moved: Vec<f64>,
+    /// r_n − ρ_n w, and what rounding may hide of it \[N·s\].
+    pressed: Vec<(f64, f64)>,
+}
+
+impl Fastest {
+    fn new(problem: &Exact, y: &[Rational], at: &[At]) -> Self {
+        let largest = |of: &dyn Fn(usize) -> Rational| {
+            let rows = |k: usize| (k * problem.rows..(k + 1) * problem.rows).map(|i| nearest(&of(i)).abs());
+            (0..problem.contacts()).map(|k| rows(k).fold(0.0, f64::max)).collect()
+        };
+        let pressed = |(k, at): (usize, &At)| {
+            let w = towards(problem.law, &at.mu, &y[k * problem.rows..(k + 1) * problem.rows]);
+            let rounding = 4.0 * at.rho_n * (at.floor_n + nearest(&at.mu) * at.floor_t);
+            (nearest(&(&at.impulse - w * exact(at.rho_n))), rounding)
+        };
+        Fastest {
+            islands: islands(problem),
+            given: largest(&|i| &problem.free[i] + &problem.shift[i]),
+            moved: largest(&|i| &y[i] - &problem.free[i] - &problem.shift[i]),
+            pressed: at.iter().enumerate().map(pressed).collect(),
+        }
+    }
+
+    fn of(&self, k: usize, if_unsure: bool) -> f64 {
+        let island = || (0..self.islands.len()).filter(|j| self.islands[*j] == self.islands[k]);
+        let is_closed = |j: &usize| {
+            let (pressed, rounding) = self.pressed[*j];
+            if pressed.abs() <= rounding { if_unsure } else { pressed > 0.0 }
+        };
+        let largest = |of: &[f64], among: &dyn Fn(&usize) -> bool| island().filter(among).map(|j| of[j]).fold(0.0, f64::max);
+        let known = [largest(&self.given, &is_closed), largest(&self.given, &|_| true), largest(&self.moved, &|_| true)];
+        known.into_iter().find(|velocity| *velocity > 0.0).unwrap_or(0.0).max(self.given[k])
+    }
 }
 
 /// Of every contact the first of those that W joins with it.

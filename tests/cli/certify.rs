@@ -402,3 +402,33 @@ fn a_norm_that_is_no_number_is_told_where_it_refuses_an_answer() {
     let run = moreau(&["certify", &of("1.5e308"), &answer, "--format", "json"]);
     assert!(run.code == 1 && run.json()["no_number"] == "velocity_scale", "{}", run.output);
 }
+
+/// W of three rows was formed in doubles of two velocities: p = (0.58, 1, 0.30) moves all but nothing, and p·q is a last digit.
+#[test]
+fn what_only_rounding_made_unsolvable_is_accepted_and_what_closes_is_not() {
+    let folder = Folder::new("certify-rounded");
+    let posed = |first: f64| {
+        let w = "[[2.6806097203857906, -1.6443686372074238, 0.30607464058927375], [-1.6443686372074238, 1.0402492740068874, \
+                 -0.2943839427055549], [0.30607464058927375, -0.2943839427055549, 0.3953971060099041]]";
+        let name = format!("rounded-{first:e}.json");
+        let text = format!(
+            r#"{{"schema": "contact-problem/1", "name": "rounded", "dimension": 1, "law": "frictionless", "friction": [0, 0, 0],
+                "delassus": {{"shape": [3, 3], "rows": {w}}}, "free_velocity": [{first:?}, -0.268637167154688, 0.32275739045707313]}}"#
+        );
+        folder.file(&name, &text)
+    };
+    // 300 p more than one that has r₃ = 0
+    let given = r#"{"schema": "solution/1", "impulse": [175.44526846356695, 302.707051141774, 88.74619917040204]}"#;
+    let given = folder.file("given.json", given);
+    let rounded = posed(0.2987281051999135);
+    for arguments in [vec!["certify", &rounded, &given], vec!["solve", &rounded], vec!["solve", &rounded, "--solver", "newton-min"]] {
+        let run = moreau(&arguments);
+        assert_eq!(run.code, 0, "{arguments:?}: {}{}", run.output, run.message);
+    }
+    let proved = moreau(&["certify", &rounded, &given, "--prove"]);
+    assert!(proved.code == 1 && proved.output.contains("there is no solution"), "the exact truth: {}", proved.output);
+    // 10⁻⁷ m/s of closing are within the tolerance of such impulses, and are no rounding
+    let closing = posed(0.2987281051999135 - 1e-7);
+    let run = moreau(&["certify", &closing, &given]);
+    assert!(run.code == 1 && run.output.contains("the problem has no solution"), "{}", run.output);
+}

@@ -88,8 +88,7 @@ impl Certificate {
     /// Those of the residuals.
     pub fn of(posed: Arc<Posed>, solution: Arc<moreau::Solution>, tolerance: f64) -> moreau::Result<Self> {
         let residuals = posed::judge(&posed, &solution)?;
-        let doubtful = residuals.is_solution(tolerance) && posed::is_doubtful(&residuals);
-        let no_solution = if doubtful { posed::refuted(&posed) } else { None };
+        let no_solution = if residuals.is_solution(tolerance) { posed::denied(&posed, &residuals) } else { None };
         Ok(Certificate { posed, solution, residuals, tolerance, no_solution })
     }
 

@@ -79,8 +79,11 @@ impl Answered {
     pub fn certificate(&self, tolerance: f64) -> Certificate<'_> {
         let certificate = posed::certificate(&self.problem, &self.solution, self.residuals, tolerance).with_ending(self.ending.clone());
         let certificate = if self.is_lcp { certificate.without_units() } else { certificate };
-        let believed = certificate.accepts() && !posed::is_doubtful(&self.residuals);
-        if believed { certificate } else { certificate.with_no_solution(posed::refuted(&self.problem)) }
+        if certificate.accepts() {
+            posed::doubted(certificate, &self.problem, &self.residuals)
+        } else {
+            certificate.with_no_solution(posed::refuted(&self.problem))
+        }
     }
 
     /// The largest relative residual.

@@ -15,6 +15,19 @@ pub(super) struct AtContact {
     pub tangential: Part,
 }
 
+impl AtContact {
+    /// Of each residual the worse one.
+    pub fn worse(self, other: AtContact) -> AtContact {
+        AtContact {
+            primal: self.primal.worse(other.primal),
+            dual: self.dual.worse(other.dual),
+            complementarity: self.complementarity.worse(other.complementarity),
+            normal: self.normal.worse(other.normal),
+            tangential: self.tangential.worse(other.tangential),
+        }
+    }
+}
+
 /// One contact at an answer: its numbers, weights and scales.
 #[derive(Default)]
 pub(super) struct Here<'a> {

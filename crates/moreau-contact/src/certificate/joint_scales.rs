@@ -5,13 +5,16 @@
 //!     floor       ‖γ (Σ_j |W_kj||r_j| + |u_free| + |shift| + R|r|)_k‖                                  [m/s]
 //!     moved       ‖(W d)_k‖                                                                            [m/s]
 //! ```
-//! with q, V and r_u of [`joints`](super::joints) and d the impulse of a contact that counts as none, as in [`reach`](super::reach): where
+//! with q and r_u of [`joints`](super::joints), V the largest entry of q at the joints and closed contacts, r_n > ρ_n w, that W joins
+//! with the joint, of all that it joins where these have none: what it never meets, and what leaves, excuses nothing,
+//! and d the impulse of a contact that counts as none, as in [`reach`](super::reach): where
 //! the W of all rows is not shown to be one of bodies, it may move no joint by more than τ of its scale.
 
+use super::closing::closing;
 use super::part::Part;
 use super::semidefinite::indefiniteness;
 use crate::operator::{ContactOperator, Operator};
-use crate::problem::{ConstraintKind, JointedProblem, Made};
+use crate::problem::{ConstraintKind, JointedProblem, Law, Made};
 use crate::tolerance::certificate::{HIDDEN, JAMMED, OFF_BY_FORMING, row_rounding};
 use moreau_exact::doubled::DoubledResiduals;
 use moreau_exact::tolerance::EPSILON;
@@ -43,8 +46,44 @@ pub(super) struct Joints<'a> {
     data: DVector<f64>,
     /// W r_u.
     pushed: DVector<f64>,
-    /// V.
-    fastest: f64,
+    /// V of every constraint.
+    fastest: Vec<f64>,
+}
+
+/// The largest entry of q among the joints and closed contacts that W joins with each constraint, over others, too; among all that it
+/// joins, where these have none \[m/s\].
+fn fastest(problem: &JointedProblem, impulse: &DVector<f64>, data: &DVector<f64>) -> Vec<f64> {
+    let (w, count) = (problem.delassus(), problem.kinds().len());
+    let y = w * impulse + data + problem.softnesses().component_mul(impulse);
+    let is_closed = |k: usize| {
+        let (kind, rows) = (problem.kinds()[k], problem.rows_of(k));
+        let law = if kind == ConstraintKind::Contact { problem.contact_law() } else { Law::Frictionless };
+        let moved = impulse[rows.start] * (w[(rows.start, rows.start)] + problem.softnesses()[rows.start]);
+        matches!(kind, ConstraintKind::Bilateral { .. }) || moved > closing(law, problem.friction()[k], &y.as_slice()[rows])
+    };
+    let of_row: Vec<usize> = (0..count).flat_map(|k| problem.rows_of(k).map(move |_| k)).collect();
+    let (mut found, mut is_met) = (vec![0.0; count], vec![false; count]);
+    for first in 0..count {
+        let (mut part, mut seen) = (if is_met[first] { Vec::new() } else { vec![first] }, 0);
+        is_met[first] = true;
+        while let Some(k) = part.get(seen).copied() {
+            seen += 1;
+            for row in problem.rows_of(k) {
+                for (other, of) in of_row.iter().enumerate() {
+                    if !is_met[*of] && (w[(other, row)] != 0.0 || w[(row, other)] != 0.0) {
+                        is_met[*of] = true;
+                        part.push(*of);
+                    }
+                }
+            }
+        }
+        let larger = |most: f64, row: usize| most.max(data[row].abs());
+        let largest_of = |part: &[usize]| part.iter().flat_map(|k| problem.rows_of(*k)).fold(0.0, larger);
+        let closed: Vec<usize> = part.iter().copied().filter(|k| is_closed(*k)).collect();
+        let largest = [largest_of(&closed), largest_of(&part)].into_iter().find(|velocity| *velocity > 0.0);
+        part.iter().for_each(|k| found[*k] = largest.unwrap_or(0.0));
+    }
+    found
 }
 
 /// γ of every row of y: the entries of W that are zero round nothing.
@@ -65,7 +104,7 @@ impl<'a> Joints<'a> {
         let data = problem.free_velocity() + problem.shifts();
         let (pushing, mut pushes) = (problem.pushing(), DVector::zeros(problem.rows()));
         pushing.iter().flat_map(|k| problem.rows_of(*k)).for_each(|row| pushes[row] = impulse[row]);
-        let (pushed, fastest) = (problem.delassus() * pushes, data.amax());
+        let (pushed, fastest) = (problem.delassus() * pushes, fastest(problem, impulse, &data));
         let made = problem.dynamics().map(Made::of);
         let gammas = gammas(problem, made.as_ref());
         let given = problem.free_velocity().abs() + problem.shifts().abs();
@@ -124,7 +163,7 @@ impl<'a> Joints<'a> {
         let of = |vector: &DVector<f64>| vector.rows(rows.start, rows.len()).norm();
         let own = self.problem.delassus().view((rows.start, rows.start), (rows.len(), rows.len()));
         let own = (own * self.impulse.rows(rows.start, rows.len())).norm();
-        of(&self.data).max(of(&self.pushed).min(JAMMED * self.fastest)).max(own.min(self.fastest))
+        of(&self.data).max(of(&self.pushed).min(JAMMED * self.fastest[k])).max(own.min(self.fastest[k]))
     }
 
     /// The rounding of W r_b at given impulses of the joints, and of the velocities `given` beside it \[m/s\]; all that rounds, where
@@ -167,14 +206,19 @@ impl<'a> Joints<'a> {
         self.sharp().each_ref().map(|all| self.problem.spread(all).as_slice().to_vec())
     }
 
-    /// What rounding may hide \[m/s\].
-    fn hidden(&self) -> f64 {
-        if self.fastest > 0.0 { self.fastest * HIDDEN } else { f64::INFINITY }
+    /// V of constraint k \[m/s\].
+    pub fn fastest(&self, k: usize) -> f64 {
+        self.fastest[k]
     }
 
-    /// Whether so much rounding hides more than it may; what is no number does, too.
-    fn hides(&self, floor: f64) -> bool {
-        floor.is_nan() || floor > self.hidden()
+    /// What rounding may hide at constraint k \[m/s\].
+    fn hidden(&self, k: usize) -> f64 {
+        if self.fastest[k] > 0.0 { self.fastest[k] * HIDDEN } else { f64::INFINITY }
+    }
+
+    /// Whether so much rounding hides more than it may at constraint k; what is no number does, too.
+    fn hides(&self, k: usize, floor: f64) -> bool {
+        floor.is_nan() || floor > self.hidden(k)
     }
 
     /// Whether rounding hides more than it may of some row: then all are judged with twice the digits.
@@ -184,7 +228,12 @@ impl<'a> Joints<'a> {
 
     /// As of contacts: rows that are nearly orthogonal in M⁻¹ are off by γ_i √W_ii Σ_j √W_jj |r_j|, which no floor has among its terms.
     fn is_made_doubtful(&self) -> bool {
-        self.made.is_some() && self.made_rounding().iter().any(|moved| self.hides(moved * HIDDEN / OFF_BY_FORMING))
+        let moved = self.made.as_ref().map(|_| self.made_rounding());
+        let is_off = |moved: &DVector<f64>, k: usize| {
+            let mut rows = self.problem.rows_of(k);
+            rows.any(|row| self.hides(k, moved[row] * HIDDEN / OFF_BY_FORMING))
+        };
+        moved.is_some_and(|moved| (0..self.problem.kinds().len()).any(|k| is_off(&moved, k)))
     }
 
     /// γ_i √W_ii Σ_j √W_jj |r_j|.
@@ -198,7 +247,7 @@ impl<'a> Joints<'a> {
     fn hides_too_much(&self, k: usize) -> bool {
         let rows = self.problem.rows_of(k);
         let [floors, unrounded] = [&self.floors, &self.unrounded].map(|all| all.rows(rows.start, rows.len()));
-        self.hides((floors - unrounded).norm())
+        self.hides(k, (floors - unrounded).norm())
     }
 
     /// The velocity of joint k, of this y or with twice the digits.
@@ -214,7 +263,7 @@ impl<'a> Joints<'a> {
             return self.part(k, self.norm(k, &(stored - found)));
         }
         let sharp = &self.sharp()[0] - self.problem.shifts() - self.problem.softnesses().component_mul(self.impulse);
-        Part { value: self.norm(k, &(stored - sharp)), scale: self.scale(k), floor: self.hidden() }
+        Part { value: self.norm(k, &(stored - sharp)), scale: self.scale(k), floor: self.hidden(k) }
     }
 
     /// y of twice the digits, where rounding hides too much of some row of it.
@@ -232,7 +281,7 @@ impl<'a> Joints<'a> {
     fn part(&self, k: usize, value: f64) -> Part {
         let own = if self.hides_too_much(k) { 0.0 } else { self.norm(k, &self.floors) };
         let floor = if self.is_doubtful { moreau_exact::number::larger(own, self.norm(k, &self.sharp()[1])) } else { own };
-        let value = if self.is_doubtful && self.hides(floor) { moreau_exact::number::larger(value, floor) } else { value };
-        Part { value, scale: self.scale(k), floor: floor.min(self.hidden()) }
+        let value = if self.is_doubtful && self.hides(k, floor) { moreau_exact::number::larger(value, floor) } else { value };
+        Part { value, scale: self.scale(k), floor: floor.min(self.hidden(k)) }
     }
 }

@@ -5,8 +5,8 @@
 //!     scale       max( ‖q_k‖ ,  ‖(W r_u)_k‖ up to 10³ V ,  ‖W_kk r_k‖ up to V )                        [m/s]
 //!     floor       ‖γ (Σ_j |W_kj||r_j| + |u_free| + |shift| + R|r|)_k‖                                  [m/s]
 //! ```
-//! q = u_free + shift, V is its largest entry anywhere, and r_u are the impulses of contacts and limits: the size of a joint's velocity is
-//! what it would have without it, what contacts make of it, and what its own impulse does, the last up to V: impulses of joints that
+//! q = u_free + shift, V is its largest entry in what W joins with the constraint, and r_u are the impulses of contacts and limits:
+//! the size of a joint's velocity is what it would have without it, what contacts make of it, and what its own impulse does, the last up to V: impulses of joints that
 //! push against each other and move nothing excuse no velocity.
 //!
 //! Contacts and limits are judged as in a problem without joints, in which the impulses of the joints are given: u_free + W r_b in place of
@@ -101,18 +101,17 @@ fn of_contacts(problem: &JointedProblem, solution: &Solution, joints: &Joints) -
     let given = problem.unilateral(problem.delassus(), &(problem.free_velocity() + moved))?;
     let data = problem.free_velocity() + problem.shifts();
     let [impulse, velocity] = [&solution.impulse, &solution.velocity].map(|all| problem.spread(all));
-    let (rounding, unheld, fastest) = (problem.spread(&rounding), problem.spread(&data), data.amax());
-    let unheld = Unheld { rounding: rounding.as_slice(), data: unheld.as_slice(), fastest, joints: Some(joints) };
-    let mut residuals = of_held(&given, &Solution { impulse, velocity, ..solution.clone() }, unheld)?;
     let pushing = problem.pushing();
+    let fastest: Vec<f64> = pushing.iter().map(|k| joints.fastest(*k)).collect();
+    let (rounding, unheld) = (problem.spread(&rounding), problem.spread(&data));
+    let unheld = Unheld { rounding: rounding.as_slice(), data: unheld.as_slice(), fastest: &fastest, joints: Some(joints) };
+    let mut residuals = of_held(&given, &Solution { impulse, velocity, ..solution.clone() }, unheld)?;
     // what the joints hold is no velocity that was given
-    let asked = |k: &usize| {
+    let asked = |(k, fastest): (&usize, &f64)| {
         let row = problem.rows_of(*k).start;
-        solution.impulse[row].abs() * problem.delassus()[(row, row)] / fastest
+        if *fastest > 0.0 { solution.impulse[row].abs() * problem.delassus()[(row, row)] / fastest } else { 0.0 }
     };
-    if fastest > 0.0 {
-        residuals.judged.loaded = pushing.iter().map(asked).fold(residuals.judged.loaded, f64::max);
-    }
+    residuals.judged.loaded = pushing.iter().zip(&fastest).map(asked).fold(residuals.judged.loaded, f64::max);
     let Judged { primal, dual, complementarity, normal, tangential, velocity, .. } = &mut residuals.judged;
     for worst in [primal, dual, complementarity, normal, tangential, velocity] {
         worst.contact = pushing.get(worst.contact).copied().unwrap_or(0);

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::problem::{ConstraintKind, Law};
-use nalgebra::{DMatrix, dmatrix, dvector};
+use nalgebra::{DMatrix, DVector, dmatrix, dvector};
 
 /// A bob of 1 kg at (−3, 1) m/s on a rod along (3, 4)/5 hits a wall with normal (1, 0); (3.75, −1.25) N·s stop it.
 fn bob() -> JointedProblem {
@@ -64,6 +64,31 @@ fn joints_that_push_against_each_other_excuse_no_velocity() {
     assert!(!moving.is_solution(1e-8) && moving.bilateral.unwrap().part.relative() > 0.9e-4, "{moving:?}");
     // where rounding hides everything, it is a residual itself
     assert!(!judged(&problem, dvector![1e15, -1e15]).is_solution(1e-8));
+}
+
+#[test]
+fn what_a_jaw_never_meets_and_what_leaves_excuses_nothing_there() {
+    // a jaw closes at 10⁻⁴ m/s, with impulses that push against each other; beside it a joint, and a point at 100 m/s on the joint's body
+    let [contact, joint] = [ConstraintKind::Contact, ConstraintKind::Bilateral { rows: 1 }];
+    let judged = |coupled: f64, point: f64, order: [usize; 4]| {
+        let w = dmatrix![1.0, -1.0, coupled, 0.0; -1.0, 1.0, -coupled, 0.0; coupled, -coupled, 2.0, 1.0; 0.0, 0.0, 1.0, 1.0];
+        // 2 r_b + r_n = 0 and r_b + r_n = 100
+        let [held, pressed] = if point < 0.0 { [point, -2.0 * point] } else { [0.0, 0.0] };
+        let (free, impulse, kinds) = ([-1e-4, -1e-4, 0.0, point], [1e5, 1e5, held, pressed], [contact, contact, joint, contact]);
+        let w = DMatrix::from_fn(4, 4, |i, j| w[(order[i], order[j])]);
+        let [free, impulse] = [free, impulse].map(|all| DVector::from_fn(4, |i, _| all[order[i]]));
+        let problem = JointedProblem::new(1, order.map(|k| kinds[k]).to_vec(), w, free).unwrap();
+        judged(&problem.law(Law::Frictionless, vec![0.0; 4]).unwrap(), impulse)
+    };
+    for order in [[0, 1, 2, 3], [3, 2, 1, 0], [2, 0, 3, 1]] {
+        for (coupled, point) in [(0.0, -100.0), (0.0, 100.0), (1e-300, 100.0)] {
+            let found = judged(coupled, point, order);
+            assert!(!found.is_solution(1e-8) && found.contacts.judged.loaded > 1e8, "{order:?}: {found:?}");
+        }
+        // joined with a point that closes so fast, 10⁻⁵ of its velocity pass, for its impulse might be what loads the jaw
+        let joined = judged(1e-300, -100.0, order);
+        assert!(joined.is_solution(1e-8) && joined.contacts.judged.loaded == 1e3, "{order:?}: {joined:?}");
+    }
 }
 
 #[test]

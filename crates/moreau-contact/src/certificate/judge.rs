@@ -233,10 +233,11 @@ impl Judge {
         let reach = Reach::new(problem, &self.scales, [impulse, law_velocity], joints, self.thoroughly);
         let [impulses, velocities, floors] = [impulse, law_velocity, &self.scales.floors[..]].map(|numbers| numbers.as_chunks::<ROWS>().0);
         let answer = impulses.iter().zip(velocities).zip(floors).zip(problem.friction());
+        let has_parts = solution.beta.is_some() || solution.sigma.is_some();
         // nearly all contacts have one μ
         let mut cone = (f64::NAN, f64::NAN);
         for (k, (((r, y), floors), friction)) in answer.enumerate() {
-            let is_open = matches!(law, Law::Frictionless | Law::Coulomb) && opens(r, y);
+            let is_open = matches!(law, Law::Frictionless | Law::Coulomb) && !has_parts && opens(r, y);
             if k > 0 && is_open && self.scales.is_certain(k, floors) {
                 continue;
             }
@@ -253,6 +254,7 @@ impl Judge {
             let at = match law {
                 Law::PolyhedralCoulomb { directions } => polyhedral::stewart_trinkle(&mut self.pairs, solution, directions, &here),
                 Law::PolyhedralAssociated { directions } => polyhedral::edges(&mut self.pairs, problem, solution, directions, &here)?,
+                law if has_parts => second_order(law, [r, y], &here).worse(parts_in_plane(&mut self.pairs, problem, solution, &here)?),
                 law => second_order(law, [r, y], &here),
             };
             judged.take(k, AtContact { dual: uncertain.map_or(at.dual, |part| at.dual.worse(part)), ..at }, see);
@@ -284,6 +286,15 @@ impl Judge {
 /// those of the first contact are taken in any case, for their limits.
 fn opens<const ROWS: usize>(r: &[f64; ROWS], y: &[f64; ROWS]) -> bool {
     r.iter().all(|r| *r == 0.0) && y[0] >= 0.0 && y.iter().all(|y| y.is_finite())
+}
+
+/// The residuals of β and σ, or of edge impulses, that an answer under a law with a second-order cone gives: in the plane each is a
+/// polyhedral law with two directions.
+fn parts_in_plane(pairs: &mut Pairs, problem: &ContactProblem, solution: &Solution, here: &Here) -> Result<AtContact> {
+    match problem.law() {
+        Law::Associated => polyhedral::edges(pairs, problem, solution, 2, here),
+        _ => Ok(polyhedral::stewart_trinkle(pairs, solution, 2, here)),
+    }
 }
 
 /// The residuals of one contact at r and y under a law with a second-order cone.
@@ -364,27 +375,41 @@ fn outside<const ROWS: usize>(radius: f64, r: &[f64; ROWS], here: &Here) -> Part
     if beyond > 0.0 { here.reach(|| [0.0, beyond * first, beyond * second], false) } else { Part::default() }
 }
 
-/// The sizes of an answer against those of its problem.
+/// The sizes of an answer against those of its problem, and whether its law has what it gives.
 ///
 /// # Errors
 /// [`Error::Invalid`] names the field that does not fit.
 pub(super) fn check_sizes(problem: &ContactProblem, solution: &Solution) -> Result<()> {
-    // in the plane every cone is polyhedral, with the two senses of tangent₁ as directions
-    let d = problem.law().directions().unwrap_or(if problem.rows_per_contact() == 2 { 2 } else { 0 });
     problem.require_size("impulse", solution.impulse.len())?;
     problem.require_size("velocity", solution.velocity.len())?;
+    // in the plane every cone is polyhedral, with the two senses of tangent₁ as directions
+    let is_planar = problem.rows_per_contact() == 2;
+    let (d, has_slip) = match problem.law() {
+        Law::PolyhedralCoulomb { directions } => (directions, true),
+        Law::PolyhedralAssociated { directions } => (directions, false),
+        Law::Coulomb if is_planar => (2, true),
+        Law::Associated if is_planar => (2, false),
+        _ => (0, false),
+    };
+    let (contacts, law) = (problem.contacts(), problem.law().name());
     let given = [
-        ("beta", solution.beta.as_ref().map(|beta| beta.len()), d * problem.contacts()),
-        ("sigma", solution.sigma.as_ref().map(|sigma| sigma.len()), problem.contacts()),
+        ("beta", solution.beta.as_ref().map(|beta| beta.len()), d),
+        ("sigma", solution.sigma.as_ref().map(|sigma| sigma.len()), usize::from(has_slip)),
     ];
-    match given.into_iter().find(|(_, size, needed)| size.is_some_and(|size| size != *needed)) {
-        None => Ok(()),
-        Some((field, size, needed)) => Err(Error::invalid(
-            field,
-            format!("has size {}", size.unwrap_or(0)),
-            format!("give size {needed}, for {}", counted(problem.contacts(), "contact")),
-        )),
+    for (field, size, each) in given {
+        match size {
+            Some(_) if each == 0 => {
+                let what = format!("is given, and the law `{law}` of contacts of {} has none", counted(problem.rows_per_contact(), "row"));
+                return Err(Error::invalid(field, what, "leave it out"));
+            }
+            Some(size) if size != each * contacts => {
+                let cure = format!("give size {}, for {}", each * contacts, counted(contacts, "contact"));
+                return Err(Error::invalid(field, format!("has size {size}"), cure));
+            }
+            _ => {}
+        }
     }
+    Ok(())
 }
 
 #[cfg(test)]

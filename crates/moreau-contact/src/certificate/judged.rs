@@ -29,8 +29,8 @@ pub struct Judged {
     pub tangential: Worst,
     /// |u − (W r + u_free)| of the stored u \[m/s\].
     pub velocity: Worst,
-    /// max r_n/(ρ_n V), V the largest velocity of the data of the contact's island: how many times the impulse that the data ask of a
-    /// contact one of them carries.
+    /// max r_n/(ρ_n V), V the largest velocity of the data of closed contacts of the island: how many times the impulse that the data
+    /// ask of a contact one of them carries.
     pub loaded: f64,
 }
 

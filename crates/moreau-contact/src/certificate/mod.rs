@@ -5,6 +5,7 @@
 mod at_contact;
 pub mod backward;
 mod by_contact;
+mod closing;
 pub mod complementary_cones;
 pub mod copositivity;
 mod decision;

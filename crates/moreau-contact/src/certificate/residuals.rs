@@ -202,5 +202,9 @@ impl Residuals {
 }
 
 #[cfg(test)]
+#[path = "parts_tests.rs"]
+mod parts_tests;
+
+#[cfg(test)]
 #[path = "residuals_tests.rs"]
 mod tests;

@@ -7,7 +7,7 @@ use crate::problem::{Compliance, Coordinates, Dynamics};
 use crate::solvers::{Auto, ContactSolver};
 
 /// Decoupled planar contacts of unit mass with μ = ½.
-fn planar(law: Law, free_velocity: &[f64]) -> ContactProblem {
+pub(super) fn planar(law: Law, free_velocity: &[f64]) -> ContactProblem {
     let rows = free_velocity.len();
     ContactProblem::new(DMatrix::identity(rows, rows), DVector::from_row_slice(free_velocity))
         .name("planar")
@@ -18,7 +18,7 @@ fn planar(law: Law, free_velocity: &[f64]) -> ContactProblem {
         .unwrap()
 }
 
-fn answer(problem: &ContactProblem, impulse: &[f64]) -> Solution {
+pub(super) fn answer(problem: &ContactProblem, impulse: &[f64]) -> Solution {
     let impulse = DVector::from_row_slice(impulse);
     let velocity = problem.velocity(&impulse);
     Solution::new("hand", impulse, velocity, 0)
@@ -29,7 +29,7 @@ fn judged(problem: &ContactProblem, impulse: &[f64]) -> Residuals {
 }
 
 /// u_free = (−1, 2), μ = ½. Coulomb: r = (1, −½). Associated: r = r_n(1, −½) with r·u = 0, r_n = 8/5.
-const SLIDING: [f64; 2] = [-1.0, 2.0];
+pub(super) const SLIDING: [f64; 2] = [-1.0, 2.0];
 
 #[test]
 fn the_exact_answer_has_no_residual_and_each_mistake_shows_in_its_own_unit() {
@@ -171,19 +171,6 @@ fn every_residual_alone_decides_on_both_sides_of_its_limit() {
             assert_eq!(found.is_solution(0.125), accepted, "residual {index} at {value}");
         }
     }
-}
-
-#[test]
-fn parts_that_do_not_add_up_to_the_impulse_are_primal_residuals() {
-    // Pressed and at rest: every pair is complementary, but Σ Dⱼβⱼ = −0.2 is not r_t = 0.
-    let mut stuck = answer(&planar(Law::PolyhedralCoulomb { directions: 2 }, &[-1.0, 0.0]), &[1.0, 0.0]);
-    stuck.beta = Some(DVector::from_vec(vec![0.0, 0.2]));
-    assert_eq!(residuals(&planar(Law::PolyhedralCoulomb { directions: 2 }, &[-1.0, 0.0]), &stuck).unwrap().primal, 0.2);
-    // f = (0.4, 2) has μ Σ Dⱼfⱼ = −0.8 = r_t but Σ fⱼ = 2.4 is not r_n = 1.6.
-    let problem = planar(Law::PolyhedralAssociated { directions: 2 }, &SLIDING);
-    let mut edges = answer(&problem, &[1.6, -0.8]);
-    edges.beta = Some(DVector::from_vec(vec![0.4, 2.0]));
-    assert!((residuals(&problem, &edges).unwrap().primal - 0.8).abs() <= 4.0 * f64::EPSILON);
 }
 
 #[test]

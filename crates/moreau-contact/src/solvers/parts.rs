@@ -1,19 +1,36 @@
 //! What every solver needs, your own included: impulses to start from, refusals, and a check that an answer is finite.
 
+use crate::certificate::Judge;
 use crate::cones::second_order;
 use crate::memory::spare::{self, Lent, Spare};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::first_order::SLIGHTLY;
+use crate::tolerance::solvers::LARGEST_START;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
-/// The impulses an iteration starts from \[N·s\]: the given ones, or zero.
+/// The impulses an iteration starts from \[N·s\]: the given ones, or zero where there are none, or they are so large that what they leave
+/// of the given velocities is rounding.
+///
+/// ```text
+///     |r_n| ≤ 10⁻⁸/(8ε) ρ_n V ,   ‖r_t‖ ≤ 10⁻⁸/(8ε) ρ_t V        at every contact, V the largest velocity given
+/// ```
 ///
 /// # Errors
 /// [`Error::Invalid`] if the given ones are not as many finite numbers as the problem has rows.
 pub fn start(problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<DVector<f64>> {
     check_start(problem, warm_start)?;
-    Ok(warm_start.map_or_else(|| spare::zeros(problem.rows()), Spare::copied))
+    Ok(warm_start.filter(|impulse| tells_more_than_rounding(problem, impulse)).map_or_else(|| spare::zeros(problem.rows()), Spare::copied))
+}
+
+fn tells_more_than_rounding(problem: &ContactProblem, impulse: &DVector<f64>) -> bool {
+    let given = problem.free_velocity().as_slice().iter().zip(problem.shift().as_slice());
+    let most = LARGEST_START * given.fold(0.0, |most: f64, (free, shift)| most.max((free + shift).abs()));
+    let mut contacts = Judge::weights(problem).iter().zip(impulse.as_slice().chunks_exact(problem.rows_per_contact()));
+    let is_usual = |([normal, tangential], r): (&[f64; 2], &[f64])| {
+        r[0].abs() <= normal * most && second_order::tangential_norm(r) <= tangential * most
+    };
+    most == 0.0 || contacts.all(is_usual)
 }
 
 /// Refuses given impulses that are not as many finite numbers as the problem has rows.
@@ -139,4 +156,55 @@ fn at_most(solver: &str, problem: &ContactProblem, most: f64) -> Result<()> {
         return Ok(());
     }
     Err(Error::refused(solver, format!("needs a symmetric W, and this one has relative asymmetry {asymmetry:.1e}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solvers::Solvers;
+    use nalgebra::{DMatrix, dvector};
+
+    /// One contact that slides, of 1 kg, and one of 4 kg along the tangents, in space.
+    fn sliding(scale: f64) -> ContactProblem {
+        let w = DMatrix::from_diagonal(&dvector![1.0, 1.0, 1.0, 1.0, 0.25, 0.25]);
+        let free = dvector![-1.0, 2.0, 0.0, -0.5, 0.0, 1.0] * scale;
+        ContactProblem::new(w, free).law(Law::Coulomb).friction(vec![0.5; 2]).build().unwrap()
+    }
+
+    #[test]
+    fn a_start_is_taken_as_long_as_it_leaves_more_than_rounding_of_what_is_given() {
+        let problem = sliding(1e-3);
+        let most = LARGEST_START * 2e-3;
+        for (row, most) in [(0, most), (1, most), (3, most), (5, 4.0 * most)] {
+            for sign in [-1.0, 1.0] {
+                let mut impulse = dvector![1e-3, 0.0, 0.0, 0.0, 0.0, 0.0];
+                impulse[row] = sign * most;
+                assert_eq!(start(&problem, Some(&impulse)).unwrap(), impulse);
+                impulse[row] = sign * most.next_up();
+                assert_eq!(start(&problem, Some(&impulse)).unwrap(), DVector::zeros(6), "{row}");
+            }
+        }
+        let at_rest = sliding(0.0);
+        assert_eq!(start(&at_rest, Some(&DVector::repeat(6, 1e300))).unwrap(), DVector::repeat(6, 1e300), "nothing tells");
+    }
+
+    #[test]
+    fn no_start_keeps_a_solver_from_the_answer() {
+        let problem = sliding(1.0);
+        let mut judge = Judge::default();
+        let mut solved = 0;
+        let all = Solvers::own();
+        for name in all.names() {
+            let solver = all.by_name(name).unwrap();
+            let Ok(alone) = solver.solve(&problem, None) else { continue };
+            assert!(judge.judge(&problem, &alone).unwrap().accepts(1e-8), "{name}");
+            for size in [1e3, 1e6, 1e8, 1e12, 1e16, 1e100, 1e300] {
+                let from = DVector::from_fn(6, |row, _| if row % 2 == 0 { size } else { -size });
+                let answer = solver.solve(&problem, Some(&from)).unwrap();
+                assert!(judge.judge(&problem, &answer).unwrap().accepts(1e-8), "{name} from {size:e}");
+            }
+            solved += 1;
+        }
+        assert!(solved >= 8, "{solved}");
+    }
 }

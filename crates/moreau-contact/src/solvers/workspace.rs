@@ -147,7 +147,7 @@ mod tests {
         }
     }
 
-    /// Two contacts that push against each other, so that the rounding of y grows with their impulses, and a third that opens at 1 m/s.
+    /// Two contacts that push against each other, so that the rounding of y grows with their impulses, and a third that stops what comes at 1 m/s.
     #[test]
     fn what_closes_is_no_solution_at_any_scale() {
         let normal = [[1.0, -1.0, 0.25], [-1.0, 1.0, -0.25], [0.25, -0.25, 1.0]];
@@ -158,10 +158,10 @@ mod tests {
                     [0, 0] => normal[row / 2][column / 2],
                     _ => f64::from(u8::from(row == column)),
                 });
-                let free = DVector::from_vec(vec![-miss, 0.0, -miss, 0.0, 1.0, 0.0]);
+                let free = DVector::from_vec(vec![-miss - 0.25, 0.0, -miss + 0.25, 0.0, -1.0, 0.0]);
                 let problem = ContactProblem::new(w, free).law(law).rows_per_contact(2).friction(vec![0.5; 3]).build().unwrap();
                 let mut memory = borrow(&problem);
-                memory.propose(&[push, 0.0, push, 0.0, 0.0, 0.0]);
+                memory.propose(&[push, 0.0, push, 0.0, 1.0, 0.0]);
                 let is_closing = memory.closes(&problem, 1e-10);
                 let relative = memory.relative_as_it_is(&problem);
                 assert!(!is_closing || relative > 1e-10, "{law:?} {push:e} {miss:e}: {relative:e}");

@@ -54,6 +54,11 @@ pub fn lemke_pivot_limit<T: Scalar>(size: usize) -> usize {
 /// Set.
 pub const STOP: f64 = 4096.0 * EPSILON;
 
+/// Largest velocity of an impulse that an iteration starts from, in parts of the largest one given: its rounding is an eighth of what is
+/// accepted by default. What moves its contact faster than that leaves nothing of the data but rounding.
+/// Derived.
+pub const LARGEST_START: f64 = super::certificate::CERTIFY / (8.0 * EPSILON);
+
 /// Sweep limit of projected Gauss–Seidel. On a chain of n bodies a sweep contracts by cos²(π/(n+1)) ≈ 1 − π²/n², so that 100 000
 /// sweeps reach [`STOP`] = e⁻²⁸ for n ≤ 180.
 /// Set.

@@ -3,14 +3,15 @@
 //! ```text
 //!     badness of a value   |v − e| (equal),  max(0, v − e) (at most),  max(0, e − v) (at least)
 //!                          e the prediction of the declared law, else the ideal
-//!     worse                badness now > badness then + 4.3 · spread + allowance/1024, or bad where the baseline has no such value
+//!     worse                badness now > badness then + max(4.3 · spread + allowance/1024, 8ε), or bad where the baseline
+//!                          has no such value
 //! ```
 //! The file is TOML, made by `--save-baseline` and meant to be read, edited and committed; `known_issue` entries are written by hand.
 
 mod reading;
 
 use crate::audit::AUDITS;
-use crate::tolerance::{NEWS, SPREADS};
+use crate::tolerance::{LAST_DIGITS, NEWS, SPREADS};
 use crate::{CheckOutcome, Measurement, Report, StepOutcome, Verdict};
 use jiff::civil::Date;
 use moreau_contact::files::write_atomically;
@@ -124,6 +125,19 @@ impl KnownIssue {
             return Some("has a bound that is no number".into());
         }
         time_step.filter(|h| !(h.is_finite() && *h > 0.0)).map(|h| format!("has the time_step {h}"))
+    }
+
+    /// That it covers nothing that is bad in this run, which has its check: it is mended, or the quantity or step is another one.
+    fn idle(&self, report: &Report) -> Option<String> {
+        let now = report.checks.iter().find(|now| now.check == self.check)?;
+        let is_without_values = self.is_general() && now.verdict.is_bad();
+        let covers = is_without_values || bad(now).iter().any(|(step, one)| self.covers(&self.check, *step, one));
+        let quantity = self.quantity.as_ref().map(|name| format!("“{name}”"));
+        let step = self.time_step.map(|h| format!("h = {} s", significant(h)));
+        let of: Vec<String> = [quantity, step].into_iter().flatten().collect();
+        let of = if of.is_empty() { String::new() } else { format!(", {}", of.join(" at ")) };
+        let issue = format!("the known issue “{}” of {}{of}", self.reason, self.check);
+        (!covers).then(|| format!("{issue} covers nothing that is bad in this run: correct or delete it"))
     }
 
     /// Whether it speaks of the check as a whole, and so of failures without a value.
@@ -276,6 +290,7 @@ impl Baseline {
         }
         let pairs = report.checks.iter().filter_map(|now| Some((self.checks.iter().find(|check| check.name == now.check)?, now)));
         notes.extend(pairs.filter_map(|(then, now)| then.unmatched(now)));
+        notes.extend(self.known_issues.iter().filter_map(|issue| issue.idle(report)));
         notes
     }
 
@@ -416,7 +431,7 @@ impl BaselineCheck {
 
 impl BaselineValue {
     fn compare(&self, now: &Measurement) -> Option<(ChangeKind, String)> {
-        let noise = SPREADS * self.spread.max(now.spread) + NEWS * now.ideal.tolerance;
+        let noise = LAST_DIGITS.max(SPREADS * self.spread.max(now.spread) + NEWS * now.ideal.tolerance);
         let (then_bad, now_bad) = (badness(now, self.value), badness(now, now.value));
         let at = at(self.time_step);
         // as many digits as tell the two apart

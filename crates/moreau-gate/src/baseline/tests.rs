@@ -51,6 +51,39 @@ fn a_worse_value_is_a_regression_on_the_far_side_of_the_noise_only() {
 }
 
 #[test]
+fn a_last_digit_is_no_regression_where_the_allowance_is_rounding_itself() {
+    let of = |value: f64| report(Measurement::new("way", "m", value, Expectation::equal(0.0, 64.0 * f64::EPSILON, "")));
+    assert_eq!(kinds(&of(0.0), &of(8.0 * f64::EPSILON)), []);
+    assert_eq!(kinds(&of(8.0 * f64::EPSILON), &of(0.0)), []);
+    assert_eq!(kinds(&of(0.0), &of(9.0 * f64::EPSILON)), [ChangeKind::Regression]);
+}
+
+#[test]
+fn a_known_issue_that_covers_nothing_bad_is_told() {
+    let issue = |quantity: Option<&str>, time_step, check: &str| KnownIssue {
+        check: check.into(),
+        quantity: quantity.map(Into::into),
+        time_step,
+        least: None,
+        most: None,
+        reason: "issue 7".into(),
+        expires: None,
+    };
+    let told = |issue: KnownIssue, now: &Report| {
+        let baseline = Baseline { known_issues: vec![issue], ..Baseline::of(&value(1.5, 0.0)) };
+        baseline.notes(now).join("\n")
+    };
+    let (good, failing) = (value(0.5, 0.0), value(1.5, 0.0));
+    for used in [issue(None, None, CHECK), issue(Some("error"), None, CHECK), issue(Some("error"), Some(0.5), CHECK)] {
+        assert_eq!(told(used.clone(), &failing), "");
+        assert!(told(used, &good).contains("covers nothing that is bad"));
+    }
+    let other = told(issue(Some("eror"), Some(0.25), CHECK), &failing);
+    assert!(other.contains("“issue 7” of rest/depth, “eror” at h = 0.25 s covers nothing"), "{other}");
+    assert_eq!(told(issue(None, None, "slide/stop"), &failing), "", "that check is not in this run");
+}
+
+#[test]
 fn a_new_failure_is_a_regression_and_an_old_one_is_not() {
     assert!(kinds(&value(0.5, 0.0), &value(1.5, 0.0)).contains(&ChangeKind::Regression));
     assert_eq!(kinds(&value(1.5, 0.0), &value(1.5, 0.0)), []);

@@ -64,6 +64,12 @@ pub const SPREADS: f64 = 4.3;
 /// Required: of a baseline that is compared on another processor, by its users.
 pub const NEWS: f64 = 1.0 / 1024.0;
 
+/// What a value may change by in any case, in its unit: eight roundings of a number of size one, as positions, velocities and masses of the
+/// checks are. The allowance of what a prescribed body does is rounding itself, and the 1024th part of that would be less than a last
+/// digit.
+/// Derived.
+pub const LAST_DIGITS: f64 = 8.0 * moreau_exact::tolerance::EPSILON;
+
 /// Part of the momentum that goes into an interval which its reported impulses may leave unaccounted for, where nothing more exact is
 /// asked: a sign, a missing record or another body leave all of a term, and what a solver leaves is [`SOLVED`].
 /// Set.

@@ -15,13 +15,15 @@
 //! − μ‖q_t‖ stands in place of q_n, and a point that leaves fast excuses no other point of its body. In s_r the smaller of
 //! |q_n| and |q_n − μ‖q_t‖| stands: slip makes no friction.
 //!
-//! None is more than 10³ ρ V, and s_r not more than that with either ρ, V the largest velocity in q of the island – in W r, net, where q =
-//! 0: impulses that push against each other and move
-//! nothing would otherwise excuse any velocity, and a jaw that closes from both sides, which has no solution, would have one. What impulses
-//! move is no V either: where W is not positive semidefinite they may grow without end, each the excuse of the other. Nor is a
-//! floor more than 10⁻⁵ of the largest velocity in q: where rounding hides that, nothing is certain, and the rounding itself counts
-//! as a residual of y, which may be zero only because q was lost in it; not what u_free and shift lose in each other, for q is one sum.
-//! There y is computed with twice the digits, of which rounding hides ε|y| and γ² of the terms: its true value is what is judged.
+//! None is more than 10³ ρ V, and s_r not more than that with either ρ. V is the largest velocity in q of the contacts of the island, over
+//! joints, too, that are closed at the answer, r_n > ρ_n w, and of the contact itself: r·W r = −r·q − r·μ‖y_t‖n has the data of these
+//! alone, so that a point that leaves moves nothing. Where all are open, or q of the closed ones is 0, it is that of all, and in W r, net,
+//! where q = 0. Impulses that push against each other and move nothing would otherwise excuse any velocity, and a jaw that closes from both
+//! sides, which has no solution, would have one. What impulses move is no V either: where W is not positive semidefinite they may grow
+//! without end, each the excuse of the other. Nor is a floor more than 10⁻⁵ V: where rounding hides that, nothing is certain, and the
+//! rounding itself counts as a residual of y, which may be zero only because q was lost in it; not what u_free and shift lose in each
+//! other, for q is one sum. There y is computed with twice the digits, of which rounding hides ε|y| and γ² of the terms: its true
+//! value is what is judged.
 //!
 //! An impulse that does not move its own contact, W_nn = 0 as in many complementarity problems, says nothing about the size of that
 //! contact's velocity: |r_n| is left out of its s_n, and q_n out of its s_r. Growing along a ray such an impulse would excuse any velocity.
@@ -34,10 +36,10 @@
 
 mod sharp;
 
+use super::closing::closing;
 use super::groups;
 use super::joint_scales::Joints;
 use super::part::Part;
-use crate::cones::polyhedral::direction;
 use crate::cones::second_order::{length, tangential_norm};
 use crate::memory::spare;
 use crate::problem::{ContactProblem, Law, Weights};
@@ -60,12 +62,14 @@ pub(super) struct Scales {
     shared: Vec<[f64; 3]>,
     /// What the data of a contact add to its own s_n, s_r and s_t \[N·s\].
     own: Vec<[f64; 3]>,
+    /// The largest velocity in the data of a contact \[m/s\].
+    given: Vec<f64>,
     /// Of each island, at its first contact.
     largest: Vec<Largest>,
     /// Σ_j √W_jj |r_j| where W was made of mass and Jacobian, else nothing \[√J\].
     reach: f64,
-    /// What the rows would do without the joints that hold them, and the largest such velocity; nothing where there are none \[m/s\].
-    unheld: (Vec<f64>, f64),
+    /// What the rows would do without the joints that hold them, and V of each contact; nothing where there are none \[m/s\].
+    unheld: [Vec<f64>; 2],
 }
 
 /// What the problem says of a contact before there is an answer.
@@ -107,6 +111,8 @@ pub(super) struct Held {
 struct Largest {
     /// The largest velocity in the data \[m/s\].
     given: f64,
+    /// The same of closed contacts \[m/s\].
+    driven: f64,
     /// The same, or of the impulses, net \[m/s\].
     fastest: f64,
     /// Normal impulse \[N·s\].
@@ -116,14 +122,10 @@ struct Largest {
 }
 
 impl Largest {
-    /// V \[m/s\].
+    /// V of the contacts together \[m/s\].
     fn velocity(&self) -> f64 {
-        if self.given > 0.0 { self.given } else { self.fastest }
-    }
-
-    /// What rounding may hide of the given velocities \[m/s\].
-    fn hidden(&self) -> f64 {
-        if self.given > 0.0 { self.given * HIDDEN } else { f64::INFINITY }
+        let known = [self.driven, self.given].into_iter().find(|velocity| *velocity > 0.0);
+        known.unwrap_or(self.fastest)
     }
 }
 
@@ -134,8 +136,8 @@ pub(super) struct Unheld<'a> {
     pub rounding: &'a [f64],
     /// u_free + shift without the impulses of the joints.
     pub data: &'a [f64],
-    /// The largest of these, at the joints, too.
-    pub fastest: f64,
+    /// V of each contact: the largest of these at the joints and closed contacts that W joins with it.
+    pub fastest: &'a [f64],
     /// The joints, which an impulse that counts as none must not move either.
     pub joints: Option<&'a Joints<'a>>,
 }
@@ -176,13 +178,13 @@ impl Scales {
             let lifts = if is_associated { mu.max(1.0) } else { 1.0 };
             self.contacts.push(Known { weights, roots: [n, t, n.max(t)], moves_itself, lifts, island, group });
         }
-        self.unheld = (Vec::new(), 0.0);
+        self.unheld = Default::default();
     }
 
     /// Makes room for what joints hold: the rounding of the given velocities, and their size without the joints.
     pub fn set_unheld(&mut self, unheld: Unheld) {
         self.floors.iter_mut().zip(unheld.rounding).for_each(|(floor, more)| *floor += more);
-        self.unheld = (unheld.data.to_vec(), unheld.fastest);
+        self.unheld = [unheld.data.to_vec(), unheld.fastest.to_vec()];
     }
 
     /// The floors at the impulses r; one pass over |W|.
@@ -222,6 +224,7 @@ impl Scales {
         self.shared.clear();
         self.shared.resize(problem.contacts(), [0.0; 3]);
         self.own.clear();
+        self.given.clear();
         self.largest.clear();
         self.largest.resize(problem.contacts(), Largest::default());
         let law = problem.law();
@@ -238,10 +241,13 @@ impl Scales {
             let largest = &mut self.largest[known.island];
             largest.impulse = at_least(largest.impulse, r[0].abs());
             largest.contacts += 1;
-            for (row, q) in q.iter().enumerate() {
-                largest.given = at_least(largest.given, q.abs());
-                largest.fastest = at_least(at_least(largest.fastest, q.abs()), moved(row).abs());
+            let fastest = q.iter().fold(0.0, |most, q| at_least(most, q.abs()));
+            largest.given = at_least(largest.given, fastest);
+            if r[0] > normal * closing(law, *mu, y) {
+                largest.driven = at_least(largest.driven, fastest);
             }
+            largest.fastest = (0..ROWS).fold(at_least(largest.fastest, fastest), |most, row| at_least(most, moved(row).abs()));
+            self.given.push(fastest);
             let sizes = &mut self.shared[known.group];
             sizes.iter_mut().zip(pushed).for_each(|(size, pushed)| *size = at_least(*size, pushed));
             self.own.push(known.of_data(law, *mu, &q));
@@ -251,14 +257,15 @@ impl Scales {
 
     /// The sizes with those of what joints hold.
     fn include_unheld(&mut self, problem: &ContactProblem) {
-        let (data, most) = (&self.unheld.0, self.unheld.1);
+        let [data, fastest] = &self.unheld;
         for (k, q) in data.chunks_exact(problem.rows_per_contact()).enumerate() {
             let sizes = self.contacts[k].of_data(problem.law(), problem.friction()[k], q);
             self.own[k].iter_mut().zip(sizes).for_each(|(own, size)| *own = own.max(size));
-        }
-        if !data.is_empty() {
             // what the impulses of joints move is no velocity that was given
-            self.largest.iter_mut().for_each(|largest| (largest.given, largest.fastest) = (most, largest.fastest.max(most)));
+            self.given[k] = q.iter().fold(0.0, |most, q| at_least(most, q.abs()));
+        }
+        for (largest, most) in self.largest.iter_mut().zip(fastest) {
+            (largest.given, largest.driven, largest.fastest) = (*most, *most, largest.fastest.max(*most));
         }
     }
 
@@ -266,8 +273,7 @@ impl Scales {
     #[inline]
     pub fn held<const ROWS: usize>(&self, contact: usize, given: &[f64; ROWS]) -> Held {
         let known = &self.contacts[contact];
-        let (weights, largest) = (known.weights, &self.largest[known.island]);
-        let (hidden, jammed) = (largest.hidden(), known.jammed(largest));
+        let (weights, hidden, jammed) = (known.weights, self.hidden(contact), known.jammed(self.velocity(contact)));
         let most = known.most(jammed);
         let (sizes, floors) = (self.sizes(contact, jammed, most), [given[0], tangential_norm(given)]);
         let impulse = if known.moves_itself[0] { [sizes[0], 0.0] } else { self.of_impulse(known) };
@@ -291,9 +297,16 @@ impl Scales {
         if self.stored.is_empty() { &self.floors } else { &self.stored }
     }
 
+    /// V of a contact \[m/s\].
+    #[inline]
+    fn velocity(&self, contact: usize) -> f64 {
+        at_least(self.largest[self.contacts[contact].island].velocity(), self.given[contact])
+    }
+
     /// What rounding may hide at a contact \[m/s\].
     pub fn hidden(&self, contact: usize) -> f64 {
-        self.largest[self.contacts[contact].island].hidden()
+        let is_given = self.largest[self.contacts[contact].island].given > 0.0;
+        if is_given { self.velocity(contact) * HIDDEN } else { f64::INFINITY }
     }
 
     /// Whether the rounding of y at the rows of a contact, which have these floors, is within what it may hide.
@@ -302,15 +315,16 @@ impl Scales {
         floors.iter().all(|floor| floor.is_finite() && *floor <= 0.5 * most)
     }
 
-    /// The largest r_n/(ρ_n V), V the largest given velocity of the island: how many times the impulse that the data ask of a contact it
+    /// The largest r_n/(ρ_n V): how many times the impulse that the data ask of a contact it
     /// carries. Where V = 0, or an impulse does not move its own contact, nothing tells.
     pub fn loaded(&self, impulse: &[f64]) -> f64 {
         let rows = impulse.len() / self.contacts.len().max(1);
-        let carried = |(known, r): (&Known, &[f64])| {
-            let given = self.largest[known.island].given;
-            (known.moves_itself[0] && given > 0.0).then(|| r[0].abs() / (known.weights[0] * given))
+        let carried = |(k, r): (usize, &[f64])| {
+            let known = &self.contacts[k];
+            let tells = known.moves_itself[0] && self.largest[known.island].given > 0.0;
+            tells.then(|| r[0].abs() / (known.weights[0] * self.velocity(k)))
         };
-        self.contacts.iter().zip(impulse.chunks_exact(rows.max(1))).filter_map(carried).fold(0.0, at_least)
+        impulse.chunks_exact(rows.max(1)).enumerate().filter_map(carried).fold(0.0, at_least)
     }
 
     /// The scale of r_n itself, with its rounding \[N·s\], where an impulse does not move its own contact, so that no velocity tells how
@@ -323,7 +337,7 @@ impl Scales {
     /// s_n, s_r and s_t of contact k \[N·s\].
     pub fn at(&self, contact: usize) -> [f64; 3] {
         let known = &self.contacts[contact];
-        let jammed = known.jammed(&self.largest[known.island]);
+        let jammed = known.jammed(self.velocity(contact));
         self.sizes(contact, jammed, known.most(jammed))
     }
 
@@ -356,8 +370,7 @@ impl Known {
 
     /// 10³ ρ V, normal and tangential \[N·s\].
     #[inline]
-    fn jammed(&self, largest: &Largest) -> [f64; 2] {
-        let fastest = largest.velocity();
+    fn jammed(&self, fastest: f64) -> [f64; 2] {
         self.weights.map(|rho| JAMMED * rho * fastest)
     }
 
@@ -384,20 +397,6 @@ fn of_data(law: Law, mu: f64, q: &[f64], [normal, tangential]: [f64; 2]) -> [f64
     };
     let data = closing(law, mu, q).abs() + own;
     [normal * data, normal * data.min(q[0].abs() + beside), tangential * slip]
-}
-
-/// The velocity at which the data make the contact close \[m/s\]: q_n, reduced by the slip under the associated laws. Its rounding is 8ε of
-/// its terms.
-fn closing(law: Law, mu: f64, q: &[f64]) -> f64 {
-    match law {
-        Law::Associated => q[0] - mu * tangential_norm(q),
-        Law::PolyhedralAssociated { directions } => {
-            let tangents = [q.get(1), q.get(2)].map(|q| q.copied().unwrap_or(0.0));
-            let along = |j: usize| direction(j, directions).iter().zip(tangents).map(|(d, q)| d * q).sum::<f64>();
-            q[0] + mu * (0..directions).map(along).fold(0.0, f64::min)
-        }
-        _ => q[0],
-    }
 }
 
 /// The larger of two, of which the first is a number: a NaN changes nothing, as in [`f64::max`], which asks both.
