@@ -147,7 +147,8 @@ mod tests {
         }
     }
 
-    /// Two contacts that push against each other, so that the rounding of y grows with their impulses, and a third that stops what comes at 1 m/s.
+    /// Two contacts that push against each other, so that the rounding of y grows with their impulses, and a third that stops what comes at
+    /// 1 m/s.
     #[test]
     fn what_closes_is_no_solution_at_any_scale() {
         let normal = [[1.0, -1.0, 0.25], [-1.0, 1.0, -0.25], [0.25, -0.25, 1.0]];
