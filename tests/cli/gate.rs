@@ -54,6 +54,26 @@ fn a_baseline_that_has_nothing_of_the_run_is_refused_before_it() {
 }
 
 #[test]
+fn the_baseline_of_another_engine_is_refused_before_the_run() {
+    let folder = Folder::new("gate-other-engine");
+    let baseline = folder.path("b.toml");
+    assert_eq!(gate(&["--save-baseline", &baseline], "moreau-jean").code, 0);
+    let run = gate(&["--baseline", &baseline], "anitescu");
+    run.is_refused(&["b.toml", "baseline.engine", "`anitescu`"]);
+    assert!(!run.message.contains("1/1"), "{}", run.message);
+}
+
+#[test]
+fn a_program_that_answers_a_check_at_some_time_steps_only_is_told() {
+    let engine = ["--", env!("CARGO_BIN_EXE_moreau"), "engine"];
+    let stack = |steps: &str| moreau(&[&["gate", "--only", "stack/ten", "--steps", steps], &engine[..]].concat());
+    let told = "answered at some of the time steps only: 1 check, such as stack/ten, not at h = 0.0333333 s: at this step a box";
+    let run = stack("1/30,0.01");
+    assert!(run.code == 0 && run.message.contains(told), "{}", run.message);
+    assert!(!stack("0.01").message.contains("answered at some"));
+}
+
+#[test]
 fn a_value_that_got_worse_stops_the_build_and_names_the_check() {
     let folder = Folder::new("gate-regression");
     let baseline = folder.path("b.toml");

@@ -78,10 +78,18 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
             watched.written = changes.and_then(|changes| arguments.write(report, changes.as_deref(), (&watched.times, today), false));
         }
     };
+    let mut first = make();
+    if let Some((baseline, file)) = baseline.as_ref().zip(arguments.baseline.as_deref()) {
+        match first.describe(&plan.options) {
+            Ok(description) => baseline.require_engine(&description.name).map_err(|error| error.in_file(file))?,
+            Err(refusal) => return cannot_run(&refusal),
+        }
+    }
     let adapter = match arguments.trajectory[..] {
-        [] => conformance::misreported(make().as_mut(), &plan.options),
+        [] => conformance::misreported(first.as_mut(), &plan.options),
         _ => Ok(Vec::new()),
     };
+    drop(first);
     let adapter = match adapter {
         Ok(adapter) => adapter,
         Err(refusal) => return cannot_run(&refusal),
@@ -94,6 +102,9 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         Ok(report) => Report { adapter, ..subject::audited(arguments, report, baseline.as_ref())? },
         Err(refusal) => return cannot_run(&refusal),
     };
+    if arguments.trajectory.is_empty() {
+        subject::partly_answered(&report).into_iter().for_each(|remark| print_aside(&remark));
+    }
     for note in baseline.iter().flat_map(|baseline| baseline.notes(&report)) {
         print_aside(&format!("warning: {note}\n"));
     }
@@ -151,13 +162,14 @@ fn is_enough(report: &Report, required: Option<f64>, is_selected: bool) -> bool 
     if !is_enough {
         let wanted = required.map_or("at least one is needed".to_string(), |percent| format!("--require asks for {percent} %"));
         let checks = counted(count, "check");
-        print_aside(&format!("{answered} of {checks} were answered with pass or difference; {wanted}\n"));
+        print_aside(&format!("answered with pass or difference: {answered} of {checks}; {wanted}\n"));
     }
     is_enough
 }
 
 fn cannot_run(refusal: &Refusal) -> Result<Answer> {
-    print_aside(&format!("error: the engine could not be run: {refusal}\n"));
+    let (Refusal::Unsupported(why) | Refusal::Errored(why)) = refusal;
+    print_aside(&format!("error: the engine could not be run: {why}; `moreau protocol-check -- PROGRAM` shows what it answers\n"));
     Ok(Answer::CannotRun)
 }
 

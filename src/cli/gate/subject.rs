@@ -8,7 +8,7 @@ use crate::gate::baseline::Baseline;
 use crate::gate::library::{LACKS_SAMPLES, Library, NOT_STORED, read_description};
 use crate::gate::process::{Limits, ProcessEngine, end_engines_on_interrupt};
 use crate::gate::{CheckOutcome, Engine, Report, StepOutcome, Verdict};
-use crate::number::significant;
+use crate::number::{counted, significant};
 use crate::trajectory::Trajectory;
 use crate::{Error, Result};
 use std::path::Path;
@@ -87,6 +87,21 @@ fn partly(check: &CheckOutcome) -> Option<String> {
         let (missing, answered) = (told(&missing), told(&answered));
         format!("remark: {} is answered at h = {answered} s only; no motion answers it at h = {missing} s\n", check.check)
     })
+}
+
+/// That a program answers checks at some of the time steps only: one that fails elsewhere would pass.
+pub fn partly_answered(report: &Report) -> Option<String> {
+    let is_missing = |step: &&StepOutcome| step.verdict == Verdict::Unsupported;
+    let is_partly = |check: &&CheckOutcome| {
+        let missing = check.steps.iter().filter(is_missing).count();
+        0 < missing && missing < check.steps.len()
+    };
+    let partly: Vec<&CheckOutcome> = report.checks.iter().filter(is_partly).collect();
+    let first = partly.first()?;
+    let step = first.steps.iter().find(is_missing)?;
+    let at = step.time_step.map_or(String::new(), |h| format!(" at h = {} s", significant(h)));
+    let (count, reason) = (counted(partly.len(), "check"), step.reason.as_deref().unwrap_or("no reason is given"));
+    Some(format!("remark: answered at some of the time steps only: {count}, such as {}, not{at}: {reason}\n", first.check))
 }
 
 /// That a motion ends before its scene does, and why where its producer says so: what is missing no check sees.

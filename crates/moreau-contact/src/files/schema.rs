@@ -49,6 +49,10 @@ pub fn schema_of<'a>(text: &str, schemas: &[&'a str]) -> Result<&'a str> {
 /// # Errors
 /// [`Error::Json`] if the text is not JSON; [`Error::Invalid`] names the field where it is not what the schema says.
 pub fn read_object<T: DeserializeOwned>(text: &str, schema: &str) -> Result<T> {
+    if text.trim_start().starts_with('[') {
+        // serde would take its entries for the fields, in their order
+        return Err(Error::invalid(schema, "is a list", format!("write an object with the fields by name; see the schema {schema}")));
+    }
     serde_json::from_str(text).map_err(|error| {
         // read once more: to know the path on the way costs time, and only this text needs it. Where it is no JSON everything is looked
         // at, also what T passes over
@@ -278,6 +282,19 @@ mod tests {
         pairs: Vec<Pair>,
         one: Option<Box<Pair>>,
         two: Option<Vec<[f64; 2]>>,
+    }
+
+    #[test]
+    fn the_fields_of_an_object_are_not_taken_from_a_list() {
+        #[derive(Debug, Deserialize)]
+        struct One {
+            size: f64,
+        }
+        assert_eq!(read_object::<One>("{\"size\": 2}", "one/1").unwrap().size, 2.0);
+        for list in ["[2]", " []", "\n[2, 3]"] {
+            let told = read_object::<One>(list, "one/1").unwrap_err().to_string();
+            assert!(told.contains("is a list") && told.contains("one/1"), "{told}");
+        }
     }
 
     #[test]

@@ -8,12 +8,14 @@
 //! ```
 //! The file is TOML, made by `--save-baseline` and meant to be read, edited and committed; `known_issue` entries are written by hand.
 
+mod known_issue;
 mod reading;
 
 use crate::audit::AUDITS;
 use crate::tolerance::{LAST_DIGITS, NEWS, SPREADS};
 use crate::{CheckOutcome, Measurement, Report, StepOutcome, Verdict};
 use jiff::civil::Date;
+pub use known_issue::KnownIssue;
 use moreau_contact::files::write_atomically;
 use moreau_exact::number::{counted, significant, with_unit};
 use moreau_exact::{Error, Result};
@@ -47,32 +49,6 @@ pub struct Baseline {
     pub checks: Vec<BaselineCheck>,
 }
 
-/// A failure that is known and accepted, with its reason.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct KnownIssue {
-    /// The check, by name.
-    pub check: String,
-    /// Only failures of this quantity; of every one without it.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub quantity: Option<String>,
-    /// Only failures at this h \[s\], with the digits that reports print; at every one without it.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub time_step: Option<f64>,
-    /// Only values from here on.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub least: Option<f64>,
-    /// Only values up to here.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub most: Option<f64>,
-    /// Why it is accepted.
-    pub reason: String,
-    /// The first day on which it is no longer accepted, `2027-01-31`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "Option<String>")]
-    pub expires: Option<Date>,
-}
-
 /// Verdict and values of one check.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -101,49 +77,6 @@ pub struct BaselineValue {
     pub spread: f64,
     /// Its unit.
     pub unit: String,
-}
-
-impl KnownIssue {
-    /// Whether a failing value is the one that is known.
-    fn covers(&self, check: &str, step: Option<f64>, one: &Measurement) -> bool {
-        self.check == check
-            && self.quantity.as_ref().is_none_or(|quantity| *quantity == one.quantity)
-            && self.time_step.is_none_or(|h| step.is_some_and(|step| significant(h) == significant(step)))
-            && self.least.is_none_or(|least| one.value >= least)
-            && self.most.is_none_or(|most| one.value <= most)
-    }
-
-    /// Why it can never hold.
-    fn contradiction(&self) -> Option<String> {
-        let Self { least, most, time_step, .. } = self;
-        if let (Some(least), Some(most)) = (least, most)
-            && least > most
-        {
-            return Some(format!("has least = {least} above most = {most}"));
-        }
-        if [least, most].into_iter().flatten().any(|bound| bound.is_nan()) {
-            return Some("has a bound that is no number".into());
-        }
-        time_step.filter(|h| !(h.is_finite() && *h > 0.0)).map(|h| format!("has the time_step {h}"))
-    }
-
-    /// That it covers nothing that is bad in this run, which has its check: it is mended, or the quantity or step is another one.
-    fn idle(&self, report: &Report) -> Option<String> {
-        let now = report.checks.iter().find(|now| now.check == self.check)?;
-        let is_without_values = self.is_general() && now.verdict.is_bad();
-        let covers = is_without_values || bad(now).iter().any(|(step, one)| self.covers(&self.check, *step, one));
-        let quantity = self.quantity.as_ref().map(|name| format!("“{name}”"));
-        let step = self.time_step.map(|h| format!("h = {} s", significant(h)));
-        let of: Vec<String> = [quantity, step].into_iter().flatten().collect();
-        let of = if of.is_empty() { String::new() } else { format!(", {}", of.join(" at ")) };
-        let issue = format!("the known issue “{}” of {}{of}", self.reason, self.check);
-        (!covers).then(|| format!("{issue} covers nothing that is bad in this run: correct or delete it"))
-    }
-
-    /// Whether it speaks of the check as a whole, and so of failures without a value.
-    fn is_general(&self) -> bool {
-        self.quantity.is_none() && self.time_step.is_none() && self.least.is_none() && self.most.is_none()
-    }
 }
 
 /// One difference between a run and its baseline.
@@ -229,26 +162,62 @@ impl Baseline {
     /// # Ok::<(), moreau_exact::Error>(())
     /// ```
     pub fn compare(&self, report: &Report, today: Date) -> Result<Vec<Change>> {
-        if self.engine != report.engine.name {
-            let problem = format!("is `{}`, but the run is of `{}`", self.engine, report.engine.name);
-            return Err(Error::invalid("baseline.engine", problem, "compare an engine with its own baseline"));
-        }
+        self.require_engine(&report.engine.name)?;
         self.require_sweep(&report.sweep)?;
         let mut changes = Vec::new();
         for now in &report.checks {
-            let found = match self.checks.iter().find(|check| check.name == now.check) {
-                Some(then) => then.compare(now),
-                None if now.verdict.is_bad() => {
-                    vec![(change(now, ChangeKind::Regression, "is bad, and the baseline does not have this check".into()), bad(now))]
-                }
-                None => Vec::new(),
-            };
-            changes.extend(found.into_iter().map(|(change, values)| self.accepted(change, &values, today)));
+            let found = self.found(now).into_iter().map(|(change, values)| self.accepted(change, &values, today));
+            let found: Vec<Change> = found.collect();
+            let is_worse = found.iter().any(|change| change.kind == ChangeKind::Regression);
+            changes.extend(found);
+            changes.extend(self.overdue(now, today).filter(|_| !is_worse));
         }
         let is_there = |check: &BaselineCheck| report.checks.iter().any(|now| now.check == check.name);
         let unknown = self.checks.iter().filter(|check| crate::checks::find(&check.name).is_none() && !is_there(check));
         changes.extend(unknown.map(BaselineCheck::missing));
         Ok(changes)
+    }
+
+    /// What changed of a check, and the values of which each change speaks, before any of it is accepted.
+    fn found<'a>(&self, now: &'a CheckOutcome) -> Vec<(Change, Vec<Value<'a>>)> {
+        match self.checks.iter().find(|check| check.name == now.check) {
+            Some(then) => then.compare(now),
+            None if now.verdict.is_bad() => {
+                vec![(change(now, ChangeKind::Regression, "is bad, and the baseline does not have this check".into()), bad(now))]
+            }
+            None => Vec::new(),
+        }
+    }
+
+    /// That a check is as bad as the baseline has it, and what accepted that has expired: a baseline that was saved again meanwhile has the
+    /// failure as its own.
+    fn overdue(&self, now: &CheckOutcome, today: Date) -> Option<Change> {
+        let values = bad(now);
+        let covering = |known: &dyn Fn(&KnownIssue) -> bool| {
+            let issues: Vec<&KnownIssue> = self.known_issues.iter().filter(|issue| known(issue)).collect();
+            issues.iter().all(|issue| issue.has_expired(today)).then(|| issues.first().copied()).flatten()
+        };
+        let of_value = |(step, one): &Value| covering(&|issue| issue.covers(&now.check, *step, one));
+        let issue = if values.is_empty() && now.verdict.is_bad() {
+            covering(&|issue| issue.check == now.check && issue.is_general())
+        } else {
+            values.iter().find_map(of_value)
+        }?;
+        let day = issue.expires.map(|day| day.to_string()).unwrap_or_default();
+        let what = format!("{} as in the baseline; the known issue “{}” expired on {day}", now.verdict.word(), issue.reason);
+        Some(change(now, ChangeKind::Regression, what))
+    }
+
+    /// Refuses to be compared with another engine, in the name of the one that describes itself so.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`].
+    pub fn require_engine(&self, name: &str) -> Result<()> {
+        if self.engine == name {
+            return Ok(());
+        }
+        let problem = format!("is `{}`, but the run is of `{name}`", self.engine);
+        Err(Error::invalid("baseline.engine", problem, "compare an engine with its own baseline"))
     }
 
     /// Refuses to be compared with a run of these time steps and checks, before it is made: of other steps, or where it has no such check,
@@ -290,8 +259,30 @@ impl Baseline {
         }
         let pairs = report.checks.iter().filter_map(|now| Some((self.checks.iter().find(|check| check.name == now.check)?, now)));
         notes.extend(pairs.filter_map(|(then, now)| then.unmatched(now)));
-        notes.extend(self.known_issues.iter().filter_map(|issue| issue.idle(report)));
+        let is_new = |now: &&CheckOutcome| now.verdict != Verdict::Unsupported && self.checks.iter().all(|check| check.name != now.check);
+        let new: Vec<&str> = report.checks.iter().filter(is_new).map(|now| now.check.as_str()).collect();
+        if let Some(first) = new.first() {
+            let count = counted(new.len(), "check");
+            notes.push(format!("the baseline lacks {count} of this run, such as {first}: compared with nothing until you make a new one"));
+        }
+        notes.extend(self.known_issues.iter().filter_map(|issue| self.idle(issue, report)));
         notes
+    }
+
+    /// That a known issue covers nothing that is bad or worse in this run, which has its check and answers it: it is mended, or the quantity
+    /// or step is another one.
+    fn idle(&self, issue: &KnownIssue, report: &Report) -> Option<String> {
+        let now = report.checks.iter().find(|now| now.check == issue.check)?;
+        let is_asked =
+            |step: &&StepOutcome| issue.time_step.is_none_or(|h| step.time_step.is_some_and(|at| significant(h) == significant(at)));
+        let covers = |(step, one): &Value| issue.covers(&now.check, *step, one);
+        let is_covered = bad(now).iter().any(covers)
+            || self.found(now).iter().filter(|(change, _)| change.kind == ChangeKind::Regression).any(|(_, values)| match &values[..] {
+                [] => issue.is_general(),
+                values => values.iter().any(covers),
+            });
+        let is_open = now.steps.iter().filter(is_asked).any(|step| step.measurements.is_empty());
+        (!is_covered && !is_open).then(|| format!("{} covers nothing that is bad in this run: correct or delete it", issue.named()))
     }
 
     /// A regression as a known issue, if each of its values is one that has not expired; without values, if the whole check is one.
@@ -305,7 +296,7 @@ impl Baseline {
         } else {
             values.iter().map(|(step, one)| of(&|issue| issue.covers(&change.check, *step, one))).collect()
         };
-        let expired = |issue: &&&KnownIssue| issue.expires.is_some_and(|day| day <= today);
+        let expired = |issue: &&&KnownIssue| issue.has_expired(today);
         let holding: Vec<Option<&&KnownIssue>> = covering.iter().map(|issues| issues.iter().find(|issue| !expired(issue))).collect();
         if let Some(Some(first)) = holding.first().filter(|_| holding.iter().all(Option::is_some)) {
             change.kind = ChangeKind::Known;

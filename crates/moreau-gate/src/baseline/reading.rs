@@ -24,6 +24,11 @@ impl Baseline {
             return Err(Error::invalid("schema", format!("is `{}`", self.schema), format!("this program reads `{SCHEMA}`")));
         }
         self.known_issues.iter().try_for_each(|issue| self.require_issue(issue))?;
+        let twice = (0..self.checks.len()).find(|k| self.checks[..*k].iter().any(|before| before.name == self.checks[*k].name));
+        if let Some(k) = twice {
+            let cure = "keep the right one, or make a new one with `moreau gate --save-baseline FILE`";
+            return Err(Error::invalid("check", format!("`{}` stands there twice", self.checks[k].name), cure));
+        }
         self.checks.iter().try_for_each(|check| self.require_values(check))
     }
 
@@ -85,6 +90,10 @@ fn unreadable(text: &str, error: &toml::de::Error) -> Error {
     let is_day = wrong.starts_with("expires") && !is_missing(error);
     // a line with its end, or a text that is TOML, is not cut there
     let is_whole = text.ends_with('\n') || text.parse::<toml::Table>().is_ok();
+    if !is_day && is_whole && is_in_an_issue(text, error) {
+        let cure = "an entry has `check` and `reason`, and where they are wanted `quantity`, `time_step`, `least`, `most` and `expires`";
+        return Error::invalid("known_issue", problem, cure);
+    }
     if let Some(told) = cut(text, error).filter(|_| !(is_day && is_whole)) {
         return told;
     }
@@ -93,6 +102,13 @@ fn unreadable(text: &str, error: &toml::de::Error) -> Error {
     }
     let field = error.span().and_then(|span| key_before(text, span.start)).unwrap_or("baseline");
     Error::invalid(field, problem, format!("{cure}make a new one with `moreau gate --save-baseline FILE`"))
+}
+
+/// Whether what is wrong stands in an entry that is written by hand, or is missing there.
+fn is_in_an_issue(text: &str, error: &toml::de::Error) -> bool {
+    let Some(span) = error.span() else { return false };
+    let end = text[span.start..].find('\n').map_or(text.len(), |end| span.start + end);
+    text[..end].lines().rfind(|line| line.trim_start().starts_with('[')).is_some_and(|line| line.trim() == "[[known_issue]]")
 }
 
 /// Whether the text has the line `known_issue = []`, which a new baseline has.
@@ -180,6 +196,31 @@ mod tests {
         // a failing engine may have given an infinite number
         let failed = whole.replacen("verdict = \"pass\"", "verdict = \"fail\"", 1).replacen("value = 0.25", "value = inf", 1);
         assert_eq!(said("failed", &failed).expect("as it was measured").checks[0].verdict, Verdict::Fail);
+    }
+
+    #[test]
+    fn what_is_wrong_in_an_entry_written_by_hand_has_its_own_cure() {
+        let of = |entry: &str| {
+            let issue = format!("\n[[known_issue]]\ncheck = \"rest/depth\"\n{entry}\n");
+            said("by-hand", &(text().replace("known_issue = []\n", "") + &issue))
+        };
+        assert!(of("reason = \"issue 7\"").is_ok());
+        for (entry, words) in [
+            ("", "missing field"),
+            ("reason = \"issue 7\"\nmoost = 1.0", "moost"),
+            ("reason = \"issue 7\"\ntime_step = \"1/60\"", "string"),
+        ] {
+            let told = of(entry).expect_err(entry).to_string();
+            assert!(told.contains("`known_issue`") && told.contains(words) && told.contains("an entry has `check` and `reason`"), "{told}");
+        }
+    }
+
+    #[test]
+    fn a_check_that_stands_there_twice_is_refused() {
+        let whole = text();
+        let entry = &whole[whole.find("[[check]]").expect("a check")..whole.find("[[check]]\nname = \"trajectory/a\"").expect("another")];
+        let told = said("twice-check", &format!("{whole}\n{entry}")).expect_err("twice").to_string();
+        assert!(told.contains("`check`: `rest/depth` stands there twice") && told.contains("keep the right one"), "{told}");
     }
 
     #[test]

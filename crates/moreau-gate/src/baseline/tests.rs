@@ -74,6 +74,19 @@ fn a_known_issue_that_covers_nothing_bad_is_told() {
         baseline.notes(now).join("\n")
     };
     let (good, failing) = (value(0.5, 0.0), value(1.5, 0.0));
+    // one that covers what got worse within its bounds is used, and of a check or step without an answer nothing is known
+    let worse = issue(Some("error"), None, CHECK);
+    let baseline = Baseline { known_issues: vec![worse.clone()], ..Baseline::of(&value(0.25, 0.0)) };
+    assert_eq!(baseline.compare(&good, day("2026-11-21")).expect("comparable")[0].kind, ChangeKind::Known);
+    assert!(baseline.notes(&good).is_empty() && told(worse, &good).contains("covers nothing"));
+    let unanswered = |refusal| {
+        let step = StepOutcome::new(Some(0.5), Err(refusal));
+        Report { checks: vec![CheckOutcome::new(CHECK, vec![step])], ..value(0.0, 0.0) }
+    };
+    for now in [unanswered(crate::Refusal::unsupported("not today")), unanswered(crate::Refusal::errored("crashed"))] {
+        assert_eq!(told(issue(Some("error"), Some(0.5), CHECK), &now), "");
+        assert_eq!(told(issue(None, None, CHECK), &now), "");
+    }
     for used in [issue(None, None, CHECK), issue(Some("error"), None, CHECK), issue(Some("error"), Some(0.5), CHECK)] {
         assert_eq!(told(used.clone(), &failing), "");
         assert!(told(used, &good).contains("covers nothing that is bad"));
@@ -81,6 +94,34 @@ fn a_known_issue_that_covers_nothing_bad_is_told() {
     let other = told(issue(Some("eror"), Some(0.25), CHECK), &failing);
     assert!(other.contains("“issue 7” of rest/depth, “eror” at h = 0.25 s covers nothing"), "{other}");
     assert_eq!(told(issue(None, None, "slide/stop"), &failing), "", "that check is not in this run");
+}
+
+#[test]
+fn what_an_expired_issue_accepted_is_a_regression_though_the_baseline_has_it() {
+    let (failing, mended) = (value(1.5, 0.0), value(0.5, 0.0));
+    let issue = |quantity: Option<&str>, expires: &str| KnownIssue {
+        check: CHECK.into(),
+        quantity: quantity.map(Into::into),
+        time_step: None,
+        least: None,
+        most: None,
+        reason: "issue 7".into(),
+        expires: Some(day(expires)),
+    };
+    let kinds = |issues: Vec<KnownIssue>, now: &Report| {
+        let baseline = Baseline { known_issues: issues, ..Baseline::of(&failing) };
+        let changes = baseline.compare(now, day("2026-11-21")).expect("comparable");
+        changes.iter().filter(|change| change.kind == ChangeKind::Regression).count()
+    };
+    for quantity in [None, Some("error")] {
+        assert_eq!(kinds(vec![issue(quantity, "2026-11-22")], &failing), 0);
+        assert_eq!(kinds(vec![issue(quantity, "2026-11-21")], &failing), 1);
+        assert_eq!(kinds(vec![issue(quantity, "2026-11-21"), issue(quantity, "2026-11-22")], &failing), 0, "another one holds");
+        assert_eq!(kinds(vec![issue(quantity, "2026-11-21")], &mended), 0);
+    }
+    assert_eq!(kinds(vec![issue(Some("depth"), "2026-11-21")], &failing), 0, "of another quantity");
+    // what is worse than the baseline, too, is told once
+    assert_eq!(kinds(vec![issue(None, "2026-11-21")], &value(3.0, 0.0)), 1);
 }
 
 #[test]

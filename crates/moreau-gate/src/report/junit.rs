@@ -46,11 +46,14 @@ fn status(check: &CheckOutcome, changes: Option<&[Change]>, words: &str) -> Test
         status.set_message(message.to_string());
         status
     };
-    let regression = changes.unwrap_or(&[]).iter().find(|change| change.check == check.check && change.kind == ChangeKind::Regression);
-    match (regression, check.verdict) {
+    let of = |kind| changes.unwrap_or(&[]).iter().find(|change| change.check == check.check && change.kind == kind);
+    match (of(ChangeKind::Regression), check.verdict) {
         (Some(change), Verdict::Errored) => failure(NonSuccessKind::Error, &change.what),
         (Some(change), _) => failure(NonSuccessKind::Failure, &change.what),
-        (None, verdict) if verdict.is_bad() && changes.is_some() => skipped(&format!("as the baseline: {words}")),
+        (None, verdict) if verdict.is_bad() && changes.is_some() => match of(ChangeKind::Known) {
+            Some(change) => skipped(&change.what),
+            None => skipped(&format!("as the baseline: {words}")),
+        },
         (None, Verdict::Fail) => failure(NonSuccessKind::Failure, words),
         (None, Verdict::Errored) => failure(NonSuccessKind::Error, words),
         (None, Verdict::Unsupported) => skipped(words),
@@ -116,7 +119,8 @@ mod tests {
         }
         assert_eq!(told(Verdict::Errored, worse), ("error", "got worse".into()));
         for verdict in [Verdict::Fail, Verdict::Errored] {
-            assert_eq!(told(verdict, Some(ChangeKind::Known)), ("skipped", "as the baseline: words".into()));
+            assert_eq!(told(verdict, Some(ChangeKind::Known)), ("skipped", "got worse".into()), "what is known of it");
+            assert_eq!(told(verdict, Some(ChangeKind::Improvement)), ("skipped", "as the baseline: words".into()));
         }
         assert_eq!(told(Verdict::Pass, Some(ChangeKind::Improvement)).0, "success");
     }
