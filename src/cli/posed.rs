@@ -4,10 +4,13 @@ use crate::certificate::Judge;
 use crate::certificate::joints::{self, JointedResiduals, jointed_residuals};
 use crate::certificate::natural_map::of_unit_mass;
 use crate::certificate::residuals;
+use crate::number::larger;
 use crate::problem::{ContactKey, ContactProblem, Posed, Solution};
 use crate::report::certificate::Certificate;
 use crate::report::proofs::{NoSolution, no_solution, no_solution_jointed};
-use crate::solvers::{self, ContactSolver, WithoutJoints, solve_jointed};
+use crate::solvers::{self, Auto, ContactSolver, WithoutJoints, solve_jointed};
+use crate::tolerance::certificate::CERTIFY;
+use crate::tolerance::joints::AGREES;
 use crate::tolerance::proof::LOADED;
 use crate::{Error, Result, memory};
 use nalgebra::DVector;
@@ -137,11 +140,16 @@ pub fn certificate<'a>(posed: &'a Posed, solution: &'a Solution, residuals: Join
 }
 
 /// That there is no solution, of an answer that would be accepted and whose impulses are so large that they may hide it. Where the data
-/// contradict themselves by no more than their rounding the residuals decide.
+/// contradict themselves by no more than their rounding, and the answer misses the law by no more, the residuals decide.
 pub fn denied(posed: &Posed, residuals: &JointedResiduals) -> Option<String> {
-    let loaded = residuals.contacts.judged.loaded;
-    let proof = if loaded > LOADED { proof(posed) } else { None };
-    proof.filter(|proof| !proof.is_by_rounding(loaded * residuals.relative())).map(|proof| proof.text)
+    let proof = if residuals.contacts.judged.loaded > LOADED { proof(posed) } else { None };
+    proof.filter(|proof| !(proof.is_by_rounding() && misses_rounding(residuals))).map(|proof| proof.text)
+}
+
+/// Whether an answer misses the law by no more of the given velocities than joints may contradict each other.
+fn misses_rounding(residuals: &JointedResiduals) -> bool {
+    let joints = residuals.bilateral.map_or(0.0, |worst| worst.part.relative());
+    larger(residuals.contacts.judged.missed, joints) <= AGREES
 }
 
 /// The certificate, which rejects an answer that it would accept where that is so.
@@ -149,9 +157,15 @@ pub fn doubted<'a>(certificate: Certificate<'a>, posed: &Posed, residuals: &Join
     if certificate.accepts() { certificate.with_no_solution(denied(posed, residuals)) } else { certificate }
 }
 
-/// That there is no solution, where that is proved.
+/// That there is no solution, where that is proved, and not by what may be the rounding of the data.
 pub fn refuted(posed: &Posed) -> Option<String> {
-    proof(posed).map(|proof| proof.text)
+    proof(posed).filter(|proof| !(proof.is_by_rounding() && (proof.relative.is_some() || is_solved(posed)))).map(|proof| proof.text)
+}
+
+/// Whether `auto` has an answer that misses the law by rounding.
+fn is_solved(posed: &Posed) -> bool {
+    let judged = propose(posed, &Auto, None).and_then(|answer| judge(posed, &answer));
+    judged.is_ok_and(|residuals| residuals.is_solution(CERTIFY) && misses_rounding(&residuals))
 }
 
 fn proof(posed: &Posed) -> Option<NoSolution> {

@@ -146,9 +146,9 @@ pub struct NoSolution {
 
 impl NoSolution {
     /// Whether the data may contradict themselves by their rounding alone, as those of a W that was formed of fewer velocities than it has
-    /// rows, at an answer that misses the law by this much of the given velocities.
-    pub fn is_by_rounding(&self, missed: f64) -> bool {
-        self.relative.unwrap_or(missed) <= AGREES
+    /// rows: a witness says how much, other proofs do not.
+    pub fn is_by_rounding(&self) -> bool {
+        self.relative.is_none_or(|relative| relative <= AGREES)
     }
 }
 
@@ -170,10 +170,9 @@ fn none_of_the_patterns(problem: &ContactProblem) -> Option<NoSolution> {
     Some(NoSolution { text, relative: None })
 }
 
-/// The same of a problem with joints: they contradict the rest by more than rounding.
+/// The same of a problem with joints, by a witness.
 pub fn no_solution_jointed(problem: &JointedProblem) -> Option<NoSolution> {
-    let found = infeasible_jointed(problem).ok().flatten().filter(|found| found.relative > AGREES)?;
-    Some(in_a_line(&found, STORED))
+    infeasible_jointed(problem).ok().flatten().map(|found| in_a_line(&found, STORED))
 }
 
 fn in_a_line(found: &Infeasible, of_which: &str) -> NoSolution {

@@ -432,3 +432,38 @@ fn what_only_rounding_made_unsolvable_is_accepted_and_what_closes_is_not() {
     let run = moreau(&["certify", &closing, &given]);
     assert!(run.code == 1 && run.output.contains("the problem has no solution"), "{}", run.output);
 }
+
+#[test]
+fn what_rounding_made_unsolvable_hides_nothing_that_closes() {
+    let folder = Folder::new("certify-hidden");
+    let posed = |name: &str, w: &[&[f64]], free: &[f64], impulse: &[f64]| {
+        let (n, zeros) = (free.len(), vec![0.0; free.len()]);
+        let text = format!(
+            r#"{{"schema": "contact-problem/1", "name": "{name}", "dimension": 1, "law": "frictionless", "friction": {zeros:?},
+                "delassus": {{"shape": [{n}, {n}], "rows": {w:?}}}, "free_velocity": {free:?}}}"#
+        );
+        let problem = folder.file(&format!("{name}.json"), &text);
+        let answer = folder.file(&format!("{name}-answer.json"), &format!(r#"{{"schema": "solution/1", "impulse": {impulse:?}}}"#));
+        [moreau(&["certify", &problem, &answer]), moreau(&["solve", &problem])]
+    };
+    // a jaw that closes at 10⁻⁶ of what its third contact stops, alone and beside two walls that agree but for a last digit
+    let last = 1.0 - 0.5f64.powi(52);
+    let jaw: [&[f64]; 5] = [
+        &[1.0, -1.0, 0.25, 0.0, 0.0],
+        &[-1.0, 1.0, -0.25, 0.0, 0.0],
+        &[0.25, -0.25, 2.0, 0.0, 0.0],
+        &[0.0, 0.0, 0.0, 1.0, -1.0],
+        &[0.0, 0.0, 0.0, -1.0, 1.0],
+    ];
+    let (free, impulse) = ([-1e-4, -1e-4, -100.0, -1.0, last], [2e4, 2e4 + 12.903225806451612, 51.61290322580645, 1.0, 0.0]);
+    let alone: Vec<&[f64]> = jaw[..3].iter().map(|row| &row[..3]).collect();
+    for run in posed("jaw", &alone, &free[..3], &impulse[..3]).into_iter().chain(posed("beside", &jaw, &free, &impulse)) {
+        assert!(run.code == 1 && run.output.contains("no solution"), "{}{}", run.output, run.message);
+    }
+    // y₃ = r₃ + 1 > 0, so that r₃ = 0 and y₁ + y₂ = −δ: the rounding of such impulses hides it, and no pattern is a solution
+    let w: [&[f64]; 3] = [&[1.0, -1.0, 0.0], &[-1.0, 1.0, 1.0], &[0.0, 0.0, 1.0]];
+    for (delta, push) in [(5e-6, 1e9), (1e-8, 1e7), (1e-9, 1e7)] {
+        let [certified, _] = posed(&format!("hidden-{delta:e}"), &w, &[-1.0, 1.0 - delta, 1.0], &[push + 1.0, push, 0.0]);
+        assert!(certified.code == 1, "{delta:e}: {}", certified.output);
+    }
+}

@@ -21,6 +21,7 @@ use super::planted::{Plant, planted};
 use super::true_operator::TrueOperator;
 use crate::operator::Islands;
 use crate::problem::{ContactProblem, Coordinates, Law};
+use crate::tolerance::joints::AGREES;
 use crate::tolerance::proof::{WITNESS_CONTACTS, WITNESS_ENTRIES, WITNESS_ROUND, WITNESS_STEPS, WITNESS_WORK};
 use dashu_ratio::RBig;
 use moreau_exact::scalar::{Rational, Scalar, exact, ratio};
@@ -76,10 +77,7 @@ pub(super) fn of_rows(problem: &ContactProblem, joined: &[bool]) -> Option<Infea
     let of_w = || sought.of_islands().and_then(|witness| Some((sought.check(&witness)?, witness, is_made)));
     let of_w = if is_known { of_w() } else { None };
     let found = of_w.or_else(|| sought.of_mechanism().map(|(product, witness)| (product, witness, true)));
-    found.map(|(product, witness, of_mechanism)| {
-        let terms = witness.iter().zip(sought.free()).fold(RBig::ZERO, |sum, (p, q)| sum + (p * q).magnitude());
-        Infeasible { relative: Scalar::to_f64(&(-&product / terms)), witness, product, of_mechanism }
-    })
+    found.map(|(product, witness, of_mechanism)| Infeasible { relative: sought.relative(&witness), witness, product, of_mechanism })
 }
 
 /// p·(u_free + shift), if p is a witness.
@@ -120,19 +118,22 @@ impl Sought<'_> {
         };
         let mut all: Vec<Vec<usize>> = islands.members.iter().enumerate().flat_map(apart).collect();
         all.sort_by_key(Vec::len);
-        let (mut work, mut entries) = (0, 0);
+        let (mut work, mut entries, mut by_rounding) = (0, 0, None);
         for members in &all {
             let is_small = members.len() <= WITNESS_CONTACTS;
             let [mine, beyond] = if is_small { [members.len().pow(3), 0] } else { [0, members.len() * self.problem.rows_per_contact()] };
             (work, entries) = (work + mine, entries + beyond * beyond);
             if work > WITNESS_WORK || entries > 8 * WITNESS_ENTRIES {
-                return None;
+                break;
             }
-            if let Some(witness) = self.of_island(islands, members) {
-                return Some(witness);
+            match self.of_island(islands, members) {
+                // another one may contradict more than the last digits
+                Some(witness) if self.relative(&witness) <= AGREES => by_rounding = by_rounding.or(Some(witness)),
+                Some(witness) => return Some(witness),
+                None => {}
             }
         }
-        None
+        by_rounding
     }
 
     fn of_island(&self, islands: &Islands, members: &[usize]) -> Option<DVector<Rational>> {
@@ -226,6 +227,12 @@ impl Sought<'_> {
             generator.iter().for_each(|(row, part)| witness[*row] += part * weight);
         }
         witness
+    }
+
+    /// |p·(u_free + shift)|/Σ|p||u_free + shift|, of a p with a negative product.
+    fn relative(&self, witness: &DVector<Rational>) -> f64 {
+        let terms = witness.iter().zip(self.free()).fold(RBig::ZERO, |sum, (p, q)| sum + (p * q).magnitude());
+        if terms.is_zero() { 0.0 } else { Scalar::to_f64(&(-self.product(witness) / terms)) }
     }
 
     fn product(&self, witness: &DVector<Rational>) -> Rational {

@@ -20,7 +20,7 @@
 //! is within its own says no more than this velocity. Where a contact slides, the scale of friction is μ s_r, for μ > 1 at most the larger
 //! of s_r and s_t. The rounding of its velocity counts as an angle, relative to the slip.
 
-use super::at_contact::{AtContact, Here, in_space};
+use super::at_contact::{AtContact, Here, in_space, worst};
 use super::joint_scales::Joints;
 use super::judged::Judged;
 use super::part::{Part, pair};
@@ -257,6 +257,7 @@ impl Judge {
                 law if has_parts => second_order(law, [r, y], &here).worse(parts_in_plane(&mut self.pairs, problem, solution, &here)?),
                 law => second_order(law, [r, y], &here),
             };
+            judged.missed = worst(judged.missed, self.scales.missed(k, [&at.dual, &at.normal, &at.tangential]));
             judged.take(k, AtContact { dual: uncertain.map_or(at.dual, |part| at.dual.worse(part)), ..at }, see);
         }
         Ok(judged)

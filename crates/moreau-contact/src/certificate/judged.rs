@@ -32,6 +32,9 @@ pub struct Judged {
     /// max r_n/(ρ_n V), V the largest velocity of the data of closed contacts of the island: how many times the impulse that the data
     /// ask of a contact one of them carries.
     pub loaded: f64,
+    /// The largest violation of the law at any contact, or its rounding where that is more, as a velocity in parts of V: how far the given
+    /// velocities are from those of a problem that the answer solves.
+    pub missed: f64,
 }
 
 impl Judged {

@@ -216,6 +216,10 @@ impl Form {
         let contacts = problem.contacts();
         let (beta, sigma) = match self {
             Form::Normals => (None, None),
+            // μ times a rounded σ may be more than what rounds of y: in the plane both follow from r and y
+            Form::StewartTrinkle { .. } if problem.law() == Law::Coulomb => {
+                self.parts(problem, &Solution::new(solver, impulse.clone(), problem.velocity(&impulse), steps))
+            }
             Form::StewartTrinkle { directions } => (
                 Some(z.rows(contacts, contacts * directions).into_owned()),
                 Some(z.rows(contacts * (1 + directions), contacts).into_owned()),

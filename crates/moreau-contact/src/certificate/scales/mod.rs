@@ -36,6 +36,7 @@
 
 mod sharp;
 
+use super::at_contact::worst;
 use super::closing::closing;
 use super::groups;
 use super::joint_scales::Joints;
@@ -313,6 +314,15 @@ impl Scales {
     pub fn is_certain(&self, contact: usize, floors: &[f64]) -> bool {
         let most = self.hidden(contact);
         floors.iter().all(|floor| floor.is_finite() && *floor <= 0.5 * most)
+    }
+
+    /// The larger of the residuals \[m/s\], \[N·s\] along the normal and \[N·s\] along the tangents, and of the rounding of y, as
+    /// velocities, in parts of V.
+    pub fn missed(&self, contact: usize, [dual, normal, tangential]: [&Part; 3]) -> f64 {
+        let ([rho_n, rho_t], rows) = (self.contacts[contact].weights, self.floors.len() / self.contacts.len());
+        let rounded = self.floors[contact * rows..(contact + 1) * rows].iter().fold(0.0, |most, floor| worst(most, *floor));
+        let off = [dual.value, normal.value / rho_n, tangential.value / rho_t, rounded].into_iter().fold(0.0, worst);
+        if off == 0.0 { 0.0 } else { off / self.velocity(contact) }
     }
 
     /// The largest r_n/(ρ_n V): how many times the impulse that the data ask of a contact it
