@@ -273,8 +273,8 @@ impl Baseline {
     /// or step is another one.
     fn idle(&self, issue: &KnownIssue, report: &Report) -> Option<String> {
         let now = report.checks.iter().find(|now| now.check == issue.check)?;
-        let is_asked =
-            |step: &&StepOutcome| issue.time_step.is_none_or(|h| step.time_step.is_some_and(|at| significant(h) == significant(at)));
+        let is_at = |step: &StepOutcome, h: f64| step.time_step.is_some_and(|at| significant(h) == significant(at));
+        let is_asked = |step: &&StepOutcome| issue.time_step.is_none_or(|h| is_at(step, h));
         let covers = |(step, one): &Value| issue.covers(&now.check, *step, one);
         let is_covered = bad(now).iter().any(covers)
             || self.found(now).iter().filter(|(change, _)| change.kind == ChangeKind::Regression).any(|(_, values)| match &values[..] {
