@@ -269,8 +269,8 @@ impl Baseline {
         notes
     }
 
-    /// That a known issue covers nothing that is bad or worse in this run, which has its check and answers it: it is mended, or the quantity
-    /// or step is another one.
+    /// That a known issue covers nothing that is bad or worse in this run, which has its check and answers it: it is mended, or the
+    /// quantity or step is another one.
     fn idle(&self, issue: &KnownIssue, report: &Report) -> Option<String> {
         let now = report.checks.iter().find(|now| now.check == issue.check)?;
         let is_at = |step: &StepOutcome, h: f64| step.time_step.is_some_and(|at| significant(h) == significant(at));
