@@ -208,7 +208,7 @@ mod tests {
         for (entry, words) in [
             ("", "missing field"),
             ("reason = \"issue 7\"\nmoost = 1.0", "moost"),
-            ("reason = \"issue 7\"\ntime_step = \"1/60\"", "string"),
+            ("reason = \"issue 7\"\ntime_step = \"1/60\"", "is the text"),
         ] {
             let told = of(entry).expect_err(entry).to_string();
             assert!(told.contains("`known_issue`") && told.contains(words) && told.contains("an entry has `check` and `reason`"), "{told}");
