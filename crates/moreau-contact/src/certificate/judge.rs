@@ -294,7 +294,7 @@ fn opens<const ROWS: usize>(r: &[f64; ROWS], y: &[f64; ROWS]) -> bool {
 fn parts_in_plane(pairs: &mut Pairs, problem: &ContactProblem, solution: &Solution, here: &Here) -> Result<AtContact> {
     match problem.law() {
         Law::Associated => polyhedral::edges(pairs, problem, solution, 2, here),
-        _ => Ok(polyhedral::stewart_trinkle(pairs, solution, 2, here)),
+        _ => Ok(polyhedral::stewart_trinkle_beside(pairs, solution, 2, here, true)),
     }
 }
 

@@ -40,10 +40,16 @@ pub(super) struct Pairs {
 
 /// The residuals of Stewart–Trinkle's law at one contact.
 pub(super) fn stewart_trinkle(pairs: &mut Pairs, solution: &Solution, d: usize, here: &Here) -> AtContact {
+    stewart_trinkle_beside(pairs, solution, d, here, false)
+}
+
+/// The same, where `is_judged` says that r and y are judged already by the cone that these pairs make in the plane: what β and σ say
+/// beside them is held against s_t where the contact slides, too, for at the edge of the cone the two may take it for different states.
+pub(super) fn stewart_trinkle_beside(pairs: &mut Pairs, solution: &Solution, d: usize, here: &Here, is_judged: bool) -> AtContact {
     pairs.fill_stewart_trinkle(solution, d, here);
     let (Pair { z: left, w: sigma }, [rho_n, rho_t], [s_n, s_r, s_t]) = (pairs.pairs[d + 1], here.weights, here.sizes);
     let friction = here.friction_scale(here.friction);
-    let sticks = left >= rho_t * sigma;
+    let sticks = is_judged || left >= rho_t * sigma;
     let mut at = AtContact::default();
     let normal = Members { impulse: here.impulse[0].max(here.impulse[1]), velocity: s_n / rho_n, floor: here.floors[0], rho: rho_n };
     at.normal = normal.judge(pairs.pairs[0], |_| here.reach(|| in_space(here.r), true), &mut at);
