@@ -47,7 +47,7 @@ fn what_an_answer_in_the_plane_gives_of_its_parts_is_judged_under_round_cones_to
     let space = ContactProblem::new(DMatrix::identity(3, 3), DVector::from_vec(vec![-1.0, 0.0, 0.0])).friction(vec![0.5]).build().unwrap();
     for problem in [space, planar(Law::Frictionless, &[-1.0, 0.0])] {
         for field in ["beta", "sigma"] {
-            let mut given = answer(&problem, &problem.free_velocity().map(|q| -q).as_slice());
+            let mut given = answer(&problem, problem.free_velocity().map(|q| -q).as_slice());
             *(if field == "beta" { &mut given.beta } else { &mut given.sigma }) = vector(&[0.0]);
             let told = residuals(&problem, &given).unwrap_err().to_string();
             assert!(told.contains(field) && told.contains(problem.law().name()), "{told}");
