@@ -5,9 +5,9 @@
 //!     scale       max( ‖q_k‖ ,  ‖(W r_u)_k‖ up to 10³ V ,  ‖W_kk r_k‖ up to V )                        [m/s]
 //!     floor       ‖γ (Σ_j |W_kj||r_j| + |u_free| + |shift| + R|r|)_k‖                                  [m/s]
 //! ```
-//! q = u_free + shift, V is its largest entry in what W joins with the constraint, and r_u are the impulses of contacts and limits:
-//! the size of a joint's velocity is what it would have without it, what contacts make of it, and what its own impulse does, the last up
-//! to V: impulses of joints that push against each other and move nothing excuse no velocity.
+//! q = u_free + shift, V is its largest entry at the joints and closed contacts that W joins with the constraint, and r_u are the
+//! impulses of contacts and limits: the size of a joint's velocity is what it would have without it, what contacts make of it, and what
+//! its own impulse does, the last up to V: impulses of joints that push against each other and move nothing excuse no velocity.
 //!
 //! Contacts and limits are judged as in a problem without joints, in which the impulses of the joints are given: u_free + W r_b in place of
 //! u_free, and the rounding of that product in the floors. Their scales have q, too, what they would do without the joints: a contact that

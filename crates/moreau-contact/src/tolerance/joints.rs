@@ -13,7 +13,7 @@ pub const DEPENDENT: f64 = 4000.0 * EPSILON;
 pub const INDEPENDENT: f64 = 1.0 / (1u64 << 24) as f64;
 
 /// Part of its terms up to which the velocity that is left of a dependent row is rounding; above it the rows contradict each other. What is
-/// below is left to the certificate.
+/// below is left to the certificate. A witness that contacts have no solution is held against the same, and so is what an answer misses by.
 /// Required: of every joint that is taken, by the users of the certificate.
 pub const AGREES: f64 = 1e-9;
 
