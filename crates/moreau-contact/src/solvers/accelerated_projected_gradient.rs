@@ -93,7 +93,7 @@ impl AcceleratedProjectedGradient {
         let step = step_length(problem);
         let mut stopping = Stopping::new(problem, self.tolerance);
 
-        let mut impulse = super::start(problem, warm_start)?;
+        let mut impulse = super::start_of_use(problem, warm_start)?;
         let mut product = product_of(&impulse);
         let (mut point, mut point_product) = (impulse.clone(), product.clone());
         let mut next = impulse.clone();

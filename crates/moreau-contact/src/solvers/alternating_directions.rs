@@ -79,7 +79,7 @@ impl ContactSolver for AlternatingDirections {
         if problem.law().directions().is_some() {
             return Err(Error::refused(NAME, format!("does not solve the law `{}`", problem.law().name())));
         }
-        let start = super::start(problem, warm_start)?;
+        let start = super::start_of_use(problem, warm_start)?;
         let data = problem.law_velocity(&DVector::zeros(problem.rows()));
         let operator = ShiftedOperator::new(problem)?;
         let speed = if data.amax() > 0.0 { data.amax() } else { 1.0 };

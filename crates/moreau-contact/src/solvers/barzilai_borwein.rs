@@ -69,7 +69,7 @@ impl ContactSolver for BarzilaiBorwein {
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         super::parts::require_nearly_convex(NAME, problem)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
-        let mut impulse = super::start(problem, warm_start)?;
+        let mut impulse = super::start_of_use(problem, warm_start)?;
         super::project(problem, &mut impulse);
         let mut now = Iterate { gradient: problem.law_velocity(&impulse), impulse };
         let mut values = vec![value(problem, &now)];

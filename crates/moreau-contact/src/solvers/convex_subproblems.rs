@@ -64,7 +64,7 @@ impl ContactSolver for ConvexSubproblems {
             let reason = format!("is for Coulomb's law, and this one is `{}`", problem.law().name());
             return Err(Error::refused(NAME, reason));
         }
-        let mut impulse = super::start(problem, warm_start)?;
+        let mut impulse = super::start_of_use(problem, warm_start)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
         let mut lift = lift_of(problem, &problem.law_velocity(&impulse));
         if !lift.iter().all(|lift| *lift <= LARGEST) {

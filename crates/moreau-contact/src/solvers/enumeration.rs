@@ -46,7 +46,7 @@ impl ContactSolver for Enumeration {
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         let form = Form::of(problem, NAME)?;
-        super::start(problem, warm_start)?;
+        super::start_of_use(problem, warm_start)?;
         let unknowns = form.unknowns(problem);
         if unknowns > SEARCHED_ROWS {
             return Err(Error::refused(NAME, format!("is for up to {SEARCHED_ROWS} unknowns, this LCP has {unknowns}")));

@@ -79,7 +79,7 @@ impl FischerBurmeister {
         if !self.takes(problem.law(), problem.rows_per_contact(), true) {
             return Err(Error::refused(NAME, format!("does not solve the law `{}`", problem.law().name())));
         }
-        let mut impulse = super::start(problem, warm_start)?;
+        let mut impulse = super::start_of_use(problem, warm_start)?;
         let mut equations = ConeEquations::new(problem)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
         let mut best = (f64::INFINITY, impulse.clone());

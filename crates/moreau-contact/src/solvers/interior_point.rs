@@ -82,7 +82,7 @@ impl ContactSolver for InteriorPoint {
             return Err(Error::refused(NAME, format!("does not solve the law `{}`", problem.law().name())));
         }
         // where it starts is in the middle of the cone, whatever is known
-        super::start(problem, warm_start)?;
+        super::start_of_use(problem, warm_start)?;
         let mut path = Path::new(problem, self)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
         let (mut steps, mut mark, mut marked) = (0, [f64::INFINITY; 2], 0);

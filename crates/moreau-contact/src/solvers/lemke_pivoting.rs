@@ -43,7 +43,7 @@ impl ContactSolver for LemkePivoting {
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         let form = Form::of(problem, NAME)?;
         // pivoting starts from nothing, but impulses of another problem are a mistake here too
-        super::start(problem, warm_start)?;
+        super::start_of_use(problem, warm_start)?;
         let lcp = form.scaled(problem, &form.lcp(problem, NAME)?);
         let (mut judge, mut best, mut failure) = (Judge::default(), None::<(f64, Solution)>, None);
         for covering in lcp.coverings() {

@@ -117,7 +117,7 @@ pub use proximal_newton::ProximalNewton;
 pub use table::{SolverEntry, Solvers};
 
 use linear_form::on_support;
-use parts::{compliance, cone_friction, finite, not_convex, project, require_symmetry, start};
+use parts::{compliance, cone_friction, finite, not_convex, project, require_symmetry, start, start_of_use};
 
 /// An algorithm that proposes a solution of a contact problem.
 pub trait ContactSolver: Send + Sync {

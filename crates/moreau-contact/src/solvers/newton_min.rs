@@ -79,7 +79,7 @@ impl ContactSolver for NewtonMin {
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         let form = Form::frictionless(problem, NAME)?;
-        let start = super::start(problem, warm_start)?;
+        let start = super::start_of_use(problem, warm_start)?;
         let lcp = form.lcp(problem, NAME)?;
         let rows = problem.rows_per_contact();
         let guess = start.as_slice().chunks_exact(rows).map(|contact| contact[0] > 0.0).collect();

@@ -121,7 +121,7 @@ impl NonsmoothNewton {
     ) -> Result<Solution> {
         let mut equations = Equations::new(problem, self.equations, self.reuses, systems)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
-        let start = Lent::from(super::start(problem, warm_start)?);
+        let start = Lent::from(super::start_of_use(problem, warm_start)?);
         let (mut best, mut law_velocity) = ((f64::INFINITY, start.clone()), Lent::from(spare::zeros(start.len())));
         let mut steps = 0;
         for proximals in tolerance::NONSMOOTH_PROXIMALS.into_iter().take(self.starts) {

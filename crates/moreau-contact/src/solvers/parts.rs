@@ -9,18 +9,27 @@ use crate::tolerance::solvers::LARGEST_START;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
-/// The impulses an iteration starts from \[N·s\]: the given ones, or zero where there are none, or they are so large that what they leave
-/// of the given velocities is rounding.
+/// The impulses an iteration starts from \[N·s\]: the given ones, or zero. So do declared sweeps, which promise no solution.
+///
+/// # Errors
+/// [`Error::Invalid`] if the given ones are not as many finite numbers as the problem has rows.
+pub fn start(problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<DVector<f64>> {
+    check_start(problem, warm_start)?;
+    Ok(warm_start.map_or_else(|| spare::zeros(problem.rows()), Spare::copied))
+}
+
+/// The same of an iteration that looks for a solution: zero, too, where the given ones are so large that what they leave of the given
+/// velocities is rounding.
 ///
 /// ```text
 ///     |r_n| ≤ 10⁻⁸/(8ε) ρ_n V ,   ‖r_t‖ ≤ 10⁻⁸/(8ε) ρ_t V        at every contact, V the largest velocity given
 /// ```
 ///
 /// # Errors
-/// [`Error::Invalid`] if the given ones are not as many finite numbers as the problem has rows.
-pub fn start(problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<DVector<f64>> {
+/// As [`start`].
+pub(super) fn start_of_use(problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<DVector<f64>> {
     check_start(problem, warm_start)?;
-    Ok(warm_start.filter(|impulse| tells_more_than_rounding(problem, impulse)).map_or_else(|| spare::zeros(problem.rows()), Spare::copied))
+    start(problem, warm_start.filter(|impulse| tells_more_than_rounding(problem, impulse)))
 }
 
 fn tells_more_than_rounding(problem: &ContactProblem, impulse: &DVector<f64>) -> bool {
@@ -179,13 +188,15 @@ mod tests {
             for sign in [-1.0, 1.0] {
                 let mut impulse = dvector![1e-3, 0.0, 0.0, 0.0, 0.0, 0.0];
                 impulse[row] = sign * most;
-                assert_eq!(start(&problem, Some(&impulse)).unwrap(), impulse);
+                assert_eq!(start_of_use(&problem, Some(&impulse)).unwrap(), impulse);
                 impulse[row] = sign * most.next_up();
-                assert_eq!(start(&problem, Some(&impulse)).unwrap(), DVector::zeros(6), "{row}");
+                assert_eq!(start_of_use(&problem, Some(&impulse)).unwrap(), DVector::zeros(6), "{row}");
             }
         }
+        let large = DVector::repeat(6, 1e300);
+        assert_eq!(start(&problem, Some(&large)).unwrap(), large, "of declared sweeps");
         let at_rest = sliding(0.0);
-        assert_eq!(start(&at_rest, Some(&DVector::repeat(6, 1e300))).unwrap(), DVector::repeat(6, 1e300), "nothing tells");
+        assert_eq!(start_of_use(&at_rest, Some(&DVector::repeat(6, 1e300))).unwrap(), DVector::repeat(6, 1e300), "nothing tells");
     }
 
     #[test]

@@ -214,7 +214,7 @@ fn through(
     basis: impl FnOnce(&Lcp<f64>) -> Result<PrincipalOutcome>,
 ) -> Result<Solution> {
     let form = Form::frictionless(problem, name)?;
-    super::start(problem, warm_start)?;
+    super::start_of_use(problem, warm_start)?;
     let lcp = form.lcp(problem, name)?;
     let scaled = form.scaled(problem, &lcp);
     match basis(&scaled.lcp)? {

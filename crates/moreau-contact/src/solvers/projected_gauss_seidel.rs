@@ -93,7 +93,8 @@ impl ContactSolver for ProjectedGaussSeidel {
             let reason = format!("does not solve the law `{}` with {rows} per contact", problem.law().name(), rows = counted(rows, "row"));
             return Err(Error::refused(NAME, reason));
         }
-        let start = super::start(problem, warm_start)?;
+        let is_declared = self.tolerance < 0.0;
+        let start = if is_declared { super::start(problem, warm_start)? } else { super::start_of_use(problem, warm_start)? };
         match problem.law() {
             Law::Frictionless => self.solve_by(problem, start, |block, _| Frictionless::new(block)),
             Law::Associated => self.solve_by(problem, start, Associated::new),

@@ -66,7 +66,7 @@ impl ContactSolver for ProjectedOverRelaxation {
         let rows = problem.rows_per_contact();
         let steps = step_lengths(problem, self.relaxation)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
-        let mut impulse = super::start(problem, warm_start)?;
+        let mut impulse = super::start_of_use(problem, warm_start)?;
         let mut done = 0;
         loop {
             // afresh in every sweep: column updates collect rounding

@@ -72,7 +72,7 @@ impl ContactSolver for ProximalNewton {
         if !NonsmoothNewton::fits(problem) {
             return Err(Error::refused(NAME, "does not solve a compliance on edges, of which the impulse is not a function"));
         }
-        let mut centre = super::start(problem, warm_start)?;
+        let mut centre = super::start_of_use(problem, warm_start)?;
         let (weights, mut softer, mut systems) = (Judge::weights(problem), problem.clone(), NonsmoothNewton::systems(problem));
         let (mut stopping, mut judge) = (Stopping::new(problem, self.tolerance), Judge::default());
         let mut relative = stopping.relative(&centre, &problem.law_velocity(&centre));

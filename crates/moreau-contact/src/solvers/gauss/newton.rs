@@ -76,7 +76,7 @@ impl ContactSolver for GaussNewton {
 
     /// From the motion that the given impulses would cause, or from free motion.
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        let start = super::super::start(problem, warm_start)?;
+        let start = super::super::start_of_use(problem, warm_start)?;
         through_program(self.name(), problem, |program| {
             let pushed = problem.dynamics().map(|dynamics| dynamics.jacobian.tr_mul(&start));
             self.minimise(program, pushed.map_or_else(|| DVector::zeros(program.velocities()), |push| program.accelerate(&push)))
