@@ -4,7 +4,6 @@
 //!     depth/size > DEEP      size: the smallest half extent of the two bodies
 //! ```
 
-use crate::contact::Contact;
 use crate::mechanics::Mechanism;
 use crate::number::{significant, two_digits};
 use crate::scenes::{Body, Scene};
@@ -43,18 +42,24 @@ pub fn remark(recording: &Recording, mechanism: &dyn Mechanism, scene: &Scene) -
 }
 
 fn deepest(recording: &Recording, mechanism: &dyn Mechanism, scene: &Scene) -> Option<Deepest> {
-    let of = |contact: &Contact, time: f64| {
-        let (first, second) = contact.place?.bodies;
-        let sized = [Some(first), second].into_iter().flatten().map(|body| (body, smallest_half_extent(&scene.bodies[body])));
+    let sizes: Vec<f64> = scene.bodies.iter().map(smallest_half_extent).collect();
+    let of = |bodies: Option<(usize, Option<usize>)>, depth: f64, time: f64| {
+        let (first, second) = bodies?;
+        let sized = [Some(first), second].into_iter().flatten().map(|body| (body, sizes[body]));
         let (body, size) = sized.min_by(|a, b| a.1.total_cmp(&b.1))?;
-        Some(Deepest { pair: (first, second), body, depth: -contact.gap, size, time })
+        Some(Deepest { pair: (first, second), body, depth, size, time })
     };
-    let touching = recording.samples.iter().flat_map(|state| {
-        let contacts = mechanism.contacts_within(&state.position, 0.0);
-        contacts.iter().filter_map(|contact| of(contact, state.time)).collect::<Vec<_>>()
-    });
-    // the first of several that are as deep
-    touching.reduce(|worst, next| if next.depth / next.size > worst.depth / worst.size { next } else { worst })
+    let mut worst: Option<Deepest> = None;
+    for state in &recording.samples {
+        mechanism.gaps_within(&state.position, 0.0, &mut |gap, bodies| {
+            let Some(next) = of(bodies, -gap, state.time) else { return };
+            // the first of several that are as deep
+            if worst.as_ref().is_none_or(|worst| next.depth / next.size > worst.depth / worst.size) {
+                worst = Some(next);
+            }
+        });
+    }
+    worst
 }
 
 /// The radius, or the smallest half edge or half height \[m\].

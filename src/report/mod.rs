@@ -23,6 +23,7 @@ pub mod problems;
 pub mod profile;
 pub mod proofs;
 pub mod quantity;
+mod sampled;
 pub mod schemas;
 pub mod site;
 pub mod steps;

@@ -2,12 +2,13 @@
 
 use super::plot::{Curve, Panel, Role};
 pub use super::quantity::{Quantity, lines};
+use super::sampled::{Sampled, length};
 use crate::mechanics::{BodyState, Mechanism, State};
 use crate::number::larger;
 use crate::scenes::ExactMotion;
 use crate::tolerance::report::{BARELY_MOVING, creep, energy_noise, length_noise};
 use crate::trajectory::Recording;
-use crate::trajectory::metrics::{creep_speed, creeps, effective_restitutions, energy_balance, penetration, settling_time};
+use crate::trajectory::metrics::{EnergyBalance, creep_speed, creeps, effective_restitutions, penetration, settling_time};
 
 /// A recorded motion, with the closed form that it is compared with.
 pub struct MotionReport<'a> {
@@ -37,10 +38,6 @@ impl Coordinate {
     }
 }
 
-fn length([x, y, z]: [f64; 3]) -> f64 {
-    x.hypot(y).hypot(z)
-}
-
 /// Coordinates that a note names.
 const NAMED: usize = 30;
 
@@ -50,20 +47,21 @@ const EXACT_SAMPLES: usize = 1500;
 impl MotionReport<'_> {
     /// Penetration, energy, restitution, rest and the distance from the closed form.
     pub fn summary(&self) -> Vec<Quantity> {
-        let balance = energy_balance(self.recording, |state| self.mechanism.energy(state));
-        let last = self.mechanism.energy(self.recording.last());
+        let sampled = &Sampled::of(self.recording, self.mechanism);
+        let balance = EnergyBalance::of(&sampled.energies);
+        let last = sampled.energies[sampled.energies.len() - 1];
         let ratios = self.restitutions();
-        let slow = settling_time(&self.times(), &self.speeds(), self.resting_speed());
-        let settled = slow.filter(|slow| !self.creeps(*slow)).and_then(|slow| self.at_its_end(slow));
+        let slow = settling_time(&sampled.times, &sampled.speeds, self.resting_speed());
+        let settled = slow.filter(|slow| !self.creeps(sampled, *slow)).and_then(|slow| self.at_its_end(sampled, slow));
         let steps = self.recording.impulses.len();
-        let (length, energy) = (self.length_noise(), self.largest_energy());
+        let (length, energy) = (self.length_noise(sampled), sampled.largest_energy);
         let quantity = |name, value, unit| Quantity { name, value, unit, rounding: None };
         let rounded = |name, value, unit, bound| Quantity { name, value, unit, rounding: Some(bound) };
         let gain = Some(balance.largest_gain).filter(|gain| gain.is_finite());
         vec![
             quantity("time step", Some(self.recording.time_step), "s"),
             quantity("steps", Some(steps as f64), "1"),
-            rounded("deepest penetration", Some(penetration(&self.smallest_gaps())), "m", length),
+            rounded("deepest penetration", Some(penetration(&sampled.gaps)), "m", length),
             quantity("initial energy", Some(balance.initial), "J"),
             rounded("energy change", Some(last - balance.initial), "J", energy_noise(steps, energy)),
             rounded("largest energy gain in a step", gain, "J", energy_noise(1, energy)),
@@ -71,7 +69,12 @@ impl MotionReport<'_> {
             quantity("effective restitution of the first impact", ratios.and_then(|ratios| ratios.first().copied()), "1"),
             quantity("settling time", settled, "s"),
             // two positions, half of the motion apart
-            rounded("creep speed at rest", slow.and_then(|slow| self.creep(slow)), "m/s", 4.0 * length / self.recording.last().time),
+            rounded(
+                "creep speed at rest",
+                slow.and_then(|slow| creep_of_bodies(sampled, slow)),
+                "m/s",
+                4.0 * length / self.recording.last().time,
+            ),
             rounded("largest position error", self.exact.map(|exact| self.position_error(exact)), "m", length),
         ]
     }
@@ -99,7 +102,7 @@ impl MotionReport<'_> {
 
     /// Which coordinates [`panels`](Self::panels) leave out although they move; empty if none.
     pub fn left_out(&self) -> String {
-        let (drawn, noise) = (self.moving(), self.length_noise());
+        let (drawn, noise) = (self.moving(), self.length_noise(&Sampled::of(self.recording, self.mechanism)));
         let is_drawn = |(body, axis): (usize, usize)| drawn.iter().any(|one| (one.body, one.axis) == (body, axis));
         let all = self.ranges().into_iter().filter(|(place, range)| *range > 2.0 * noise && !is_drawn(*place));
         let names: Vec<_> = all.map(|((body, axis), _)| self.coordinate(body, axis).label).collect();
@@ -150,40 +153,8 @@ impl MotionReport<'_> {
     }
 
     /// What rounding alone can make of a length \[m\].
-    fn length_noise(&self) -> f64 {
-        let coordinates = self.recording.samples.iter().flat_map(|state| self.bodies(state)).flat_map(|body| body.position);
-        length_noise(self.recording.impulses.len(), coordinates.fold(0.0, |largest, x| larger(x.abs(), largest)))
-    }
-
-    /// The largest sum of kinetic and potential energy, each without its sign \[J\].
-    fn largest_energy(&self) -> f64 {
-        let terms = |state: &State| {
-            let at_rest = State { velocity: 0.0 * &state.velocity, ..state.clone() };
-            let potential = self.mechanism.energy(&at_rest);
-            potential.abs() + (self.mechanism.energy(state) - potential).abs()
-        };
-        self.recording.samples.iter().map(terms).fold(0.0, |largest, sum| larger(sum, largest))
-    }
-
-    fn times(&self) -> Vec<f64> {
-        self.recording.samples.iter().map(|state| state.time).collect()
-    }
-
-    /// Largest speed of a centre of mass at each sample \[m/s\].
-    fn speeds(&self) -> Vec<f64> {
-        let fastest = |state: &State| {
-            let speeds = self.bodies(state).into_iter().map(|body| length(body.linear_velocity));
-            speeds.fold(0.0, |worst, speed| larger(speed, worst))
-        };
-        self.recording.samples.iter().map(fastest).collect()
-    }
-
-    fn smallest_gaps(&self) -> Vec<f64> {
-        // a penetration is a gap below zero: candidates that are apart are not looked at
-        let gaps = |state: &State| {
-            self.mechanism.contacts_within(&state.position, 0.0).iter().map(|contact| contact.gap).fold(f64::INFINITY, f64::min)
-        };
-        self.recording.samples.iter().map(gaps).collect()
+    fn length_noise(&self, sampled: &Sampled) -> f64 {
+        length_noise(self.recording.impulses.len(), sampled.farthest())
     }
 
     /// −u_n⁺/u_n⁻ of each impact of a mechanism with a single contact: at the impacts where the scheme has located them, from the samples
@@ -226,40 +197,24 @@ impl MotionReport<'_> {
     }
 
     /// Whether a body that is slow from a time on still goes on at the end.
-    fn creeps(&self, slow: f64) -> bool {
-        let (times, quarter) = (self.times(), 0.25 * (self.recording.last().time - slow));
-        let least = creep(self.resting_speed(), self.length_noise(), quarter);
-        let samples: Vec<Vec<BodyState>> = self.recording.samples.iter().map(|state| self.bodies(state)).collect();
-        let places = |body: usize, axis: usize| samples.iter().map(|bodies| bodies[body].position[axis]).collect::<Vec<f64>>();
-        (0..samples[0].len()).any(|body| (0..3).any(|axis| creeps(&times, &places(body, axis), slow, least)))
+    fn creeps(&self, sampled: &Sampled, slow: f64) -> bool {
+        let quarter = 0.25 * (self.recording.last().time - slow);
+        let least = creep(self.resting_speed(), self.length_noise(sampled), quarter);
+        let goes_on = |body: usize, axis: usize| creeps(&sampled.times, &sampled.coordinate(body, axis), slow, least);
+        (0..sampled.bodies).any(|body| (0..3).any(|axis| goes_on(body, axis)))
     }
 
     /// The time \[s\] from which on every body is slow and where it ends, but for 4 g h²: one step there and one back at the speed of rest.
     /// `None` if that is so from the start of a motion that goes farther than 2 g h²: such steps do not tell rest from motion.
-    fn at_its_end(&self, slow: f64) -> Option<f64> {
-        let samples: Vec<Vec<BodyState>> = self.recording.samples.iter().map(|state| self.bodies(state)).collect();
-        let last = samples.last()?;
-        let apart = |one: &BodyState, end: &BodyState| length(std::array::from_fn(|axis| one.position[axis] - end.position[axis]));
-        let away =
-            |bodies: &Vec<BodyState>| bodies.iter().zip(last).map(|(one, end)| apart(one, end)).fold(0.0, |worst, one| larger(one, worst));
-        let away: Vec<f64> = samples.iter().map(away).collect();
+    fn at_its_end(&self, sampled: &Sampled, slow: f64) -> Option<f64> {
+        let last = sampled.places(sampled.times.len() - 1);
+        let apart = |one: &[f64; 3], end: &[f64; 3]| length(std::array::from_fn(|axis| one[axis] - end[axis]));
+        let away = |sample: usize| sampled.places(sample).iter().zip(last).fold(0.0, |worst, (one, end)| larger(apart(one, end), worst));
+        let away: Vec<f64> = (0..sampled.times.len()).map(away).collect();
         let of_a_step = self.gravity * self.recording.time_step * self.recording.time_step;
-        let settled = slow.max(settling_time(&self.times(), &away, 4.0 * of_a_step + self.length_noise())?);
-        (settled > self.recording.samples[0].time || away.iter().all(|way| *way <= 2.0 * of_a_step + self.length_noise()))
-            .then_some(settled)
-    }
-
-    /// Largest mean speed of a body over the second half of the motion, if it was slow by then.
-    fn creep(&self, settled: f64) -> Option<f64> {
-        let (times, half) = (self.times(), 0.5 * self.recording.last().time);
-        let samples: Vec<Vec<BodyState>> = self.recording.samples.iter().map(|state| self.bodies(state)).collect();
-        let mean = |body: usize, axis: usize| {
-            let places: Vec<f64> = samples.iter().map(|bodies| bodies[body].position[axis]).collect();
-            creep_speed(&times, &places, half)
-        };
-        let bodies = (0..samples[0].len()).map(|body| Some(length([mean(body, 0)?, mean(body, 1)?, mean(body, 2)?])));
-        let fastest = bodies.collect::<Option<Vec<_>>>()?.into_iter().fold(0.0, f64::max);
-        (settled <= half).then_some(fastest)
+        let noise = self.length_noise(sampled);
+        let settled = slow.max(settling_time(&sampled.times, &away, 4.0 * of_a_step + noise)?);
+        (settled > sampled.times[0] || away.iter().all(|way| *way <= 2.0 * of_a_step + noise)).then_some(settled)
     }
 
     /// max ‖x(t_k) − x_exact(t_k)‖ over bodies and samples \[m\].
@@ -274,6 +229,15 @@ impl MotionReport<'_> {
         };
         self.recording.samples.iter().map(error).fold(0.0, f64::max)
     }
+}
+
+/// Largest mean speed of a body over the second half of the motion, if it was slow by then.
+fn creep_of_bodies(sampled: &Sampled, settled: f64) -> Option<f64> {
+    let half = 0.5 * sampled.times[sampled.times.len() - 1];
+    let mean = |body: usize, axis: usize| creep_speed(&sampled.times, &sampled.coordinate(body, axis), half);
+    let bodies = (0..sampled.bodies).map(|body| Some(length([mean(body, 0)?, mean(body, 1)?, mean(body, 2)?])));
+    let fastest = bodies.collect::<Option<Vec<_>>>()?.into_iter().fold(0.0, f64::max);
+    (settled <= half).then_some(fastest)
 }
 
 #[cfg(test)]

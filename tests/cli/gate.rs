@@ -259,6 +259,23 @@ fn scenes_are_those_that_the_description_asks_for() {
 }
 
 #[test]
+fn a_failure_that_the_baseline_has_is_an_answer_though_it_is_the_only_one() {
+    let folder = Folder::new("gate-known-alone");
+    let [answer, baseline] = [answered(&folder, "flight/projectile", "0.01", &[]), folder.path("b.toml")];
+    let mut motion: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&answer).expect("written")).expect("JSON");
+    let end = motion["bodies"][0]["position"].as_array_mut().and_then(|samples| samples.last_mut()).expect("samples");
+    end[2] = 50.0.into();
+    std::fs::write(&answer, motion.to_string()).expect("writable");
+    let gate =
+        |more: &[&str]| moreau(&[&["gate", "--steps", "0.01", "--only", "flight/projectile", "--trajectory", &answer], more].concat());
+    assert_eq!(gate(&["--save-baseline", &baseline]).code, 1, "a failure is one before it is in a baseline");
+    let run = gate(&["--baseline", &baseline]);
+    assert!(run.code == 0 && run.output.contains("As the baseline."), "{}{}", run.output, run.message);
+    let run = gate(&["--baseline", &baseline, "--require", "1"]);
+    assert!(run.code == 1 && run.message.contains("answered with pass or difference: 0 of 1 check"), "{}", run.message);
+}
+
+#[test]
 fn a_baseline_of_all_checks_is_not_replaced_by_one_of_some() {
     let folder = Folder::new("gate-partial-baseline");
     let baseline = folder.path("b.toml");

@@ -1,5 +1,7 @@
 //! Numbers for readers: six significant digits, plain where that is short, scientific otherwise; and the larger of two.
 
+use std::fmt::{self, Display, Formatter};
+
 /// The larger of two numbers, NaN if one is.
 pub fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
@@ -79,17 +81,31 @@ pub fn with_unit(number: &str, unit: &str) -> String {
     if unit == "1" { number.into() } else { format!("{number} {unit}") }
 }
 
-/// A count with its word in the singular or the plural: `1 entry`, `2 entries`, `0 rows`.
+/// A count with its word in the singular or the plural: `1 entry`, `2 entries`, `0 rows`. What is never written costs nothing.
 /// ```
 /// use moreau_exact::number::counted;
 ///
-/// assert_eq!([counted(1, "entry"), counted(2, "entry"), counted(0, "row")], ["1 entry", "2 entries", "0 rows"]);
+/// assert_eq!([(1, "entry"), (2, "entry"), (0, "row")].map(|(n, word)| counted(n, word).to_string()), ["1 entry", "2 entries", "0 rows"]);
 /// ```
-pub fn counted(count: usize, word: &str) -> String {
-    match word.strip_suffix('y').filter(|stem| !stem.ends_with(['a', 'e', 'o', 'u'])) {
-        _ if count == 1 => format!("1 {word}"),
-        Some(stem) => format!("{count} {stem}ies"),
-        None => format!("{count} {word}s"),
+pub fn counted(count: usize, word: &str) -> Counted<'_> {
+    Counted { count, word }
+}
+
+/// What [`counted`] writes.
+#[derive(Clone, Copy, Debug)]
+pub struct Counted<'a> {
+    count: usize,
+    word: &'a str,
+}
+
+impl Display for Counted<'_> {
+    fn fmt(&self, text: &mut Formatter) -> fmt::Result {
+        let Counted { count, word } = self;
+        match word.strip_suffix('y').filter(|stem| !stem.ends_with(['a', 'e', 'o', 'u'])) {
+            _ if *count == 1 => write!(text, "1 {word}"),
+            Some(stem) => write!(text, "{count} {stem}ies"),
+            None => write!(text, "{count} {word}s"),
+        }
     }
 }
 

@@ -115,7 +115,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         Some(changes) => changes.iter().all(|change| change.kind != ChangeKind::Regression),
         None => !report.is_bad(),
     };
-    Ok((is_enough(&report, required, !arguments.only.is_empty()) && is_fine).into())
+    Ok((is_enough(&report, required, arguments) && is_fine).into())
 }
 
 /// The baseline, if there is something in it to be compared with.
@@ -151,18 +151,22 @@ fn required(percent: Option<f64>) -> Result<Option<f64>> {
     }
 }
 
-/// Whether enough of the checks were answered; if not, it is told.
-fn is_enough(report: &Report, required: Option<f64>, is_selected: bool) -> bool {
+/// Whether enough of the checks were answered; if not, it is told. A failure is an answer, too, where a baseline says whether it is accepted
+/// and no part is required.
+fn is_enough(report: &Report, required: Option<f64>, arguments: &Arguments) -> bool {
     // the audit of a file is none of the checks that were selected
-    let counts = |check: &&CheckOutcome| !(is_selected && check.check.starts_with(AUDITS));
+    let counts = |check: &&CheckOutcome| arguments.only.is_empty() || !check.check.starts_with(AUDITS);
     let asked: Vec<&CheckOutcome> = report.checks.iter().filter(counts).collect();
-    let answered = asked.iter().filter(|check| matches!(check.verdict, Verdict::Pass | Verdict::Difference)).count();
+    let is_compared = arguments.baseline.is_some() && required.is_none();
+    let is_answer = |verdict: Verdict| matches!(verdict, Verdict::Pass | Verdict::Difference) || is_compared && verdict == Verdict::Fail;
+    let answered = asked.iter().filter(|check| is_answer(check.verdict)).count();
     let count = asked.len();
     let is_enough = required.map_or(answered > 0, |percent| 100.0 * answered as f64 >= percent * count as f64);
     if !is_enough {
         let wanted = required.map_or("at least one is needed".to_string(), |percent| format!("--require asks for {percent} %"));
         let checks = counted(count, "check");
-        print_aside(&format!("answered with pass or difference: {answered} of {checks}; {wanted}\n"));
+        let with = if is_compared { "pass, difference or fail" } else { "pass or difference" };
+        print_aside(&format!("answered with {with}: {answered} of {checks}; {wanted}\n"));
     }
     is_enough
 }

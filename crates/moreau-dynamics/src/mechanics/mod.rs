@@ -141,6 +141,11 @@ pub trait Mechanism: Send + Sync {
     fn count_within(&self, position: &DVector<f64>, reach: f64) -> usize {
         self.contacts_within(position, reach).len()
     }
+    /// Shows the gaps \[m\] of the candidates that [`Mechanism::contacts_within`] lists, and the bodies of [`Place::bodies`], without
+    /// their rows.
+    fn gaps_within(&self, position: &DVector<f64>, reach: f64, show: &mut dyn FnMut(f64, Option<(usize, Option<usize>)>)) {
+        self.contacts_within(position, reach).iter().for_each(|contact| show(contact.gap, contact.place.map(|place| place.bodies)));
+    }
     /// The candidates between two bodies of [`Place::bodies`], as [`Mechanism::contacts`] lists them.
     fn contacts_between(&self, position: &DVector<f64>, bodies: (usize, Option<usize>)) -> Vec<Contact> {
         self.contacts(position).into_iter().filter(|contact| contact.place.is_some_and(|place| place.bodies == bodies)).collect()

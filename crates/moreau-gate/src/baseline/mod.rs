@@ -425,6 +425,10 @@ impl BaselineValue {
         let noise = LAST_DIGITS.max(SPREADS * self.spread.max(now.spread) + NEWS * now.ideal.tolerance);
         let (then_bad, now_bad) = (badness(now, self.value), badness(now, now.value));
         let at = at(self.time_step);
+        if self.unit != now.unit {
+            let units = format!("in the unit {} instead of {}", now.unit, self.unit);
+            return Some((ChangeKind::Regression, format!("{}{at} is {units}: make a new baseline", now.quantity)));
+        }
         // as many digits as tell the two apart
         let same = significant(now.value) == significant(self.value);
         let [value, then] = [now.value, self.value].map(|value| if same { format!("{value:e}") } else { significant(value) });

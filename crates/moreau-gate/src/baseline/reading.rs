@@ -23,6 +23,11 @@ impl Baseline {
         if self.schema != SCHEMA {
             return Err(Error::invalid("schema", format!("is `{}`", self.schema), format!("this program reads `{SCHEMA}`")));
         }
+        if let Err(error) = serde_json::from_str::<crate::Options>(&self.options) {
+            let cure =
+                "write the options as a JSON object in quotes, such as '{}', or make a new one with `moreau gate --save-baseline FILE`";
+            return Err(Error::invalid("options", format!("is no JSON object: {error}"), cure));
+        }
         self.known_issues.iter().try_for_each(|issue| self.require_issue(issue))?;
         let twice = (0..self.checks.len()).find(|k| self.checks[..*k].iter().any(|before| before.name == self.checks[*k].name));
         if let Some(k) = twice {
@@ -196,6 +201,15 @@ mod tests {
         // a failing engine may have given an infinite number
         let failed = whole.replacen("verdict = \"pass\"", "verdict = \"fail\"", 1).replacen("value = 0.25", "value = inf", 1);
         assert_eq!(said("failed", &failed).expect("as it was measured").checks[0].verdict, Verdict::Fail);
+    }
+
+    #[test]
+    fn options_that_are_no_object_are_refused() {
+        for wrong in ["{", "[]", "7", ""] {
+            let told =
+                said("options", &text().replace("options = \"{}\"", &format!("options = \"{wrong}\""))).expect_err(wrong).to_string();
+            assert!(told.contains("`options`: is no JSON object") && told.contains("--save-baseline"), "{wrong}: {told}");
+        }
     }
 
     #[test]

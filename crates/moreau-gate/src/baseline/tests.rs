@@ -59,6 +59,15 @@ fn a_last_digit_is_no_regression_where_the_allowance_is_rounding_itself() {
 }
 
 #[test]
+fn a_value_in_another_unit_is_not_compared() {
+    let of = |unit: &str| report(Measurement::new("error", unit, 0.25, Expectation::equal(0.0, 1.0, "")));
+    assert_eq!(kinds(&of("m"), &of("m")), []);
+    let changes = Baseline::of(&of("m")).compare(&of("mm"), day("2026-11-21")).expect("comparable");
+    assert_eq!((changes[0].kind, changes.len()), (ChangeKind::Regression, 1));
+    assert!(changes[0].what.contains("in the unit mm instead of m: make a new baseline"), "{}", changes[0].what);
+}
+
+#[test]
 fn a_known_issue_that_covers_nothing_bad_is_told() {
     let issue = |quantity: Option<&str>, time_step, check: &str| KnownIssue {
         check: check.into(),

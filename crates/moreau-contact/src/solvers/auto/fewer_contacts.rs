@@ -5,11 +5,11 @@
 //! ```
 //! A body on points that are all but in a plane, with normals that are all but the same, moves by 10⁻⁸ of its speed from one S to the next,
 //! and a method that goes by residuals cannot tell them apart until it has the right one. Newton's method starts from what is known for
-//! every S of the twelve that open slowest, all of them first, then without one, without two, …, and where few are left out Fischer and
-//! Burmeister's equations follow. Of a million drawn problems of 2 to 12 such contacts 47 were not solved before these equations and this.
+//! every S of the twelve that open slowest, all of them first, then without one, without two, …, and then from contacts of S that all stick;
+//! where few are left out Fischer and Burmeister's equations follow. Of a million drawn problems of 2 to 12 such contacts 47 were not solved before these equations and this.
 
 use super::super::{ContactSolver, NonsmoothNewton, watch};
-use super::smoothing;
+use super::{smoothing, stuck};
 use crate::certificate::Judge;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Solution, island_rows};
 use crate::tolerance::solvers as tolerance;
@@ -34,9 +34,10 @@ pub(super) fn solve(problem: &ContactProblem, start: Option<&DVector<f64>>, stop
     'sets: for members in sets(&nearest) {
         let (alone, known) = (of(problem, &members)?, island_rows(&from, &members, problem.rows_per_contact()));
         let few_are_left_out = nearest.len() - members.len() <= tolerance::LEFT_OUT_OF_SMOOTHED;
-        for is_smoothed in [false, true].into_iter().take(1 + usize::from(few_are_left_out)) {
-            let part = || if is_smoothed { smoothing::solve(&alone, None, stop) } else { newton.solve(&alone, Some(&known)) };
-            let Ok(part) = watch::unnoted(part) else { continue };
+        let ways: [&dyn Fn() -> Result<Solution>; 3] =
+            [&|| newton.solve(&alone, Some(&known)), &|| stuck::solve(&alone, stop), &|| smoothing::solve(&alone, None, stop)];
+        for way in &ways[..2 + usize::from(few_are_left_out)] {
+            let Ok(part) = watch::unnoted(way) else { continue };
             iterations += part.iterations;
             let impulse = spread(problem, &members, &part.impulse);
             let velocity = problem.velocity(&impulse);

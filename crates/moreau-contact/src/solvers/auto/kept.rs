@@ -14,7 +14,7 @@ use super::super::{ContactSolver, NonsmoothNewton, ProjectedGaussSeidel, Proxima
 use super::stages::{is_iterated, is_taken_in_rounds};
 use crate::certificate::Judge;
 use crate::problem::{ContactProblem, Solution};
-use crate::tolerance::newton::{CONTACTS_OF_A_SWEEP, FIRST_ROUND, REUSES, ROUNDS, STEPS_OF_ROUND, SWEEPS_FROM_KEPT};
+use crate::tolerance::newton::{CONTACTS_OF_A_SWEEP, REUSES, ROUNDS, STEPS_OF_ROUND, SWEEPS_FROM_KEPT};
 use crate::tolerance::solvers::{FEWEST_IN_ISLANDS, SHORT_STEPS};
 use nalgebra::DVector;
 
@@ -43,11 +43,9 @@ pub(super) fn solve(problem: &ContactProblem, kept: &DVector<f64>, stop: f64) ->
     ended.map(|ended| Solution { iterations: sweeps + ended.iterations, ..ended })
 }
 
-/// Sweeps and proximal points in turn from what is kept, until the relative residual is `enough`, or the best of their answers.
-pub(super) fn in_rounds(problem: &ContactProblem, kept: &DVector<f64>, [stop, enough]: [f64; 2]) -> Option<Solution> {
-    if !is_taken_in_rounds(problem) {
-        return None;
-    }
+/// Sweeps and proximal points in turn from what is kept, until the relative residual is `enough`, or the best of their answers; `first`
+/// sweeps in the first round.
+pub(super) fn in_rounds(problem: &ContactProblem, kept: &DVector<f64>, first: usize, [stop, enough]: [f64; 2]) -> Option<Solution> {
     let (mut judge, mut iterations, mut swept, mut best) = (Judge::default(), 0, kept.clone(), None);
     let mut offer = |solution: Solution, best: &mut Option<(f64, Solution)>| {
         iterations += solution.iterations;
@@ -58,7 +56,7 @@ pub(super) fn in_rounds(problem: &ContactProblem, kept: &DVector<f64>, [stop, en
         best.as_ref().is_some_and(|(least, _)| *least <= enough) || watch::is_over()
     };
     for round in 0..ROUNDS {
-        let sweeps = ProjectedGaussSeidel { sweeps: FIRST_ROUND << round, tolerance: stop, ..Default::default() };
+        let sweeps = ProjectedGaussSeidel { sweeps: first << round, tolerance: stop, ..Default::default() };
         let Ok(found) = sweeps.solve(problem, Some(&swept)) else { break };
         swept.copy_from(&found.impulse);
         if offer(found, &mut best) {
@@ -97,6 +95,7 @@ mod tests {
     use crate::operator::{BlockSparse, wall};
     use crate::problem::Law;
     use crate::solvers::watch;
+    use crate::tolerance::newton::FIRST_ROUND;
     use crate::tolerance::solvers::{ENOUGH, STOP};
     use nalgebra::{DMatrix, Vector3};
 
@@ -194,14 +193,14 @@ mod tests {
     fn what_falls_together_is_taken_in_rounds_where_there_are_many_contacts_and_few_of_a_body() {
         let problem = fallen(6, 4);
         let zero = DVector::zeros(problem.rows());
-        let answer = in_rounds(&problem, &zero, [STOP, ENOUGH]).expect("some hundred contacts");
+        let answer = in_rounds(&problem, &zero, FIRST_ROUND, [STOP, ENOUGH]).expect("some hundred contacts");
         let relative = |answer: &Solution| residuals(&problem, answer).expect("sizes fit").judged.relative();
         assert!(relative(&answer) <= ENOUGH, "{:e}", relative(&answer));
         let short = solve(&problem, &zero, STOP).expect("some hundred contacts");
         assert!(relative(&short) > ENOUGH, "what a few steps solve tests nothing");
         assert!(crate::solvers::Auto.solve(&problem, Some(&zero)).is_ok_and(|answer| relative(&answer) <= ENOUGH));
         let few = fallen(3, 2);
-        assert!(in_rounds(&few, &DVector::zeros(few.rows()), [STOP, ENOUGH]).is_none());
+        assert!(!is_taken_in_rounds(&few));
     }
 
     /// Balls in layers whose loads have changed by a millionth: from the impulses before a few sweeps end it to a tolerance ten times as

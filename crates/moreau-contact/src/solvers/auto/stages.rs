@@ -8,7 +8,7 @@ use super::super::{
     AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, ConvexSubproblems, Enumeration, GaussNewton, LemkePivoting,
     NewtonMin, NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation, ProximalNewton, compliance,
 };
-use super::{fewer_contacts, interior, smoothing};
+use super::{fewer_contacts, interior, kept, smoothing, stuck};
 use crate::certificate::Judge;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
 use crate::tolerance::newton::{PATIENCE, PATIENT_STEPS, PATIENT_WORK, STEPS_IN_AUTO};
@@ -34,11 +34,15 @@ pub(super) const QUICK: &[(Takes, Stage)] = &[
     (is_stuck, |problem, _, stop| interior::and_points(problem, stop)),
     (is_rubbing, |problem, _, stop| smoothing::solve(problem, None, stop)),
     (is_many_and_free, through_sweeps),
+    (is_piled, in_rounds),
     (|problem| is_large(problem) && !is_stuck(problem), |problem, _, stop| interior::and_newton(problem, stop)),
 ];
 
 /// What follows where the answer is not good enough yet for the certificate, [`ACCEPTABLE`]; what is goes on to Newton's last steps.
-pub(super) const SMOOTHED: &[(Takes, Stage)] = &[(is_smoothed_soon, |problem, _, stop| smoothing::briefly(problem, stop))];
+pub(super) const SMOOTHED: &[(Takes, Stage)] = &[
+    (is_smoothed_soon, |problem, _, stop| smoothing::briefly(problem, stop)),
+    (stuck::fits, |problem, _, stop| stuck::solve(problem, stop)),
+];
 
 /// What ends the quick ones, until the goal's `enough`.
 pub(super) const ENDING: &[(Takes, Stage)] = &[(is_iterated, newton), (is_principal, principal_pivots)];
@@ -170,6 +174,13 @@ fn is_many_and_free(problem: &ContactProblem) -> bool {
     problem.contacts() >= tolerance::FEWEST_FREE && is_large(problem) && !is_redundant(problem)
 }
 
+/// Whether sweeps over so many contacts under Coulomb's law find the way of loads through them that interior points and Newton's method do
+/// not, for the price of some of their steps.
+fn is_piled(problem: &ContactProblem) -> bool {
+    let is_many = (tolerance::FEWEST_IN_ROUNDS..=tolerance::MOST_IN_ROUNDS).contains(&problem.contacts());
+    is_many && problem.law() == Law::Coulomb && is_large(problem)
+}
+
 /// Whether so many contacts leave bodies so free that, from the impulses of the step before, sweeps and Newton's method take turns.
 pub(super) fn is_taken_in_rounds(problem: &ContactProblem) -> bool {
     problem.contacts() >= tolerance::FEWEST_IN_ROUNDS && is_large(problem) && !has_many_rows(problem)
@@ -263,6 +274,15 @@ fn through_softness(problem: &ContactProblem, _: Option<&DVector<f64>>, stop: f6
     }
     let ended = newton(problem, impulse.as_ref(), stop)?;
     Ok(Solution { iterations: iterations + ended.iterations, ..ended })
+}
+
+/// Plain sweeps and proximal points in turn.
+fn in_rounds(problem: &ContactProblem, start: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
+    let from = start.map_or_else(|| DVector::zeros(problem.rows()), Clone::clone);
+    // what is asked for, or what is enough where that is all there is
+    let enough = if stop > tolerance::STOP { stop } else { ENOUGH };
+    kept::in_rounds(problem, &from, tolerance::SWEEPS_OF_FREE, [stop, enough])
+        .ok_or_else(|| Error::breakdown("pgs", "ended without an answer made of numbers"))
 }
 
 /// Plain sweeps, which go on where accelerated ones jump between contacts that open and slide, and proximal points from there.

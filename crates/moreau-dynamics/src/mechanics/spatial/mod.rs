@@ -287,6 +287,10 @@ impl Mechanism for SpatialBodies {
         count
     }
 
+    fn gaps_within(&self, position: &DVector<f64>, reach: f64, show: &mut dyn FnMut(f64, Option<(usize, Option<usize>)>)) {
+        self.touches(position, reach, |_, first, second, touch| show(touch.gap, Some((first, second))));
+    }
+
     fn contacts_between(&self, position: &DVector<f64>, (first, second): (usize, Option<usize>)) -> Vec<Contact> {
         let [own, other] = [first, second.unwrap_or(first)].map(|body| Pose::of(body, position));
         let mut touches = Touches::default();

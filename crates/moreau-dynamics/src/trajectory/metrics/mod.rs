@@ -17,7 +17,7 @@ mod velocity_sup;
 pub use creep_speed::creep_speed;
 pub use creeps::creeps;
 pub use effective_restitution::effective_restitutions;
-pub use energy_balance::{EnergyBalance, energy_balance};
+pub use energy_balance::EnergyBalance;
 pub use graph_distance::{GraphDistance, graph_distance};
 pub use jitter::jitter;
 pub use normalisation::Normalisation;
