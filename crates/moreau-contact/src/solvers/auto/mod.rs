@@ -341,12 +341,7 @@ fn stages_in_turn(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, g
         worse.into_iter().for_each(Solution::leave);
     }
     if let Some(given) = warm_start.filter(|_| best.as_ref().is_none_or(|(least, _)| *least > goal.acceptable)) {
-        // no answer is worse than the one that was given
-        let given = Solution::new(NAME, given.clone(), problem.velocity(given), iterations);
-        let relative = judge.judge_prepared(problem, &given)?.relative();
-        if !relative.is_nan() && best.as_ref().is_none_or(|(least, _)| relative < *least) {
-            best = Some((relative, given));
-        }
+        best = or_as_given(problem, judge, given, best)?;
     }
     match (best, failure) {
         (Some((relative, solution)), _) => {
@@ -364,6 +359,19 @@ fn stages_in_turn(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, g
             Err(Error::breakdown(NAME, format!("{reason}{}", left_out(problem))))
         }
     }
+}
+
+/// The best answer, or what was given where that is a better one: no answer is worse than its start.
+fn or_as_given(
+    problem: &ContactProblem,
+    judge: &mut Judge,
+    given: &DVector<f64>,
+    best: Option<(f64, Solution)>,
+) -> Result<Option<(f64, Solution)>> {
+    let given = Solution::new(NAME, given.clone(), problem.velocity(given), 0);
+    let relative = judge.judge_prepared(problem, &given)?.relative();
+    let is_better = !relative.is_nan() && best.as_ref().is_none_or(|(least, _)| relative < *least);
+    Ok(if is_better { Some((relative, given)) } else { best })
 }
 
 #[cfg(test)]

@@ -36,6 +36,23 @@ fn one_contact_that_jams_on_its_edges_is_enumerated() {
     assert!(is_infeasible(&Auto.solve(&problem([1.0; 4], [0.0, 2.0]), None).expect_err("none")));
 }
 
+#[test]
+fn no_answer_is_worse_than_the_one_that_was_given() {
+    let block = ContactProblem::new(DMatrix::identity(3, 3), dvector![-1.0, 0.25, 0.0]).friction(vec![0.5]).build().expect("valid");
+    let (mut judge, answer) = (Judge::default(), |normal: f64| dvector![normal, -0.25, 0.0]);
+    judge.prepare(&block);
+    let mut of = |given: f64, best: Option<f64>| {
+        let best = best.map(|normal| Solution::new("best", answer(normal), block.velocity(&answer(normal)), 7));
+        let best = best.map(|best| (judge.judge_prepared(&block, &best).expect("sizes fit").relative(), best));
+        or_as_given(&block, &mut judge, &answer(given), best).expect("sizes fit").map(|(_, answer)| answer.solver)
+    };
+    assert_eq!(of(1.0, Some(0.5)).as_deref(), Some(NAME));
+    assert_eq!(of(0.5, Some(1.0)).as_deref(), Some("best"));
+    assert_eq!(of(0.5, Some(0.5)).as_deref(), Some("best"), "as good as the start");
+    assert_eq!(of(0.5, None).as_deref(), Some(NAME));
+    assert_eq!(of(f64::MAX, None), None, "what overflows is no answer");
+}
+
 /// `count` chains of five rows each that meet no other chain, and as many rows alone, mixed: the chains are ever harder.
 fn chains(count: usize) -> ContactProblem {
     let n = 6 * count;
