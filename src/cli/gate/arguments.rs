@@ -54,8 +54,8 @@ pub struct Arguments {
     /// Seconds an engine may take from its start to its first reply, for one that has much to load; --time-limit unless given.
     #[arg(long, value_parser = number::seconds, value_name = "SECONDS", allow_hyphen_values = true)]
     pub start_limit: Option<f64>,
-    /// The part of the checks that must be answered with pass or difference, in percent; without it at least one check, which may fail beside a
-    /// baseline.
+    /// The part of the checks that must be answered with pass or difference, in percent; without it at least one check, which may fail
+    /// beside a baseline.
     #[arg(long, value_parser = number::real, value_name = "PERCENT", allow_negative_numbers = true)]
     pub require: Option<f64>,
     /// Compare with this baseline: exit code 1 only for what is worse.

@@ -151,8 +151,8 @@ fn required(percent: Option<f64>) -> Result<Option<f64>> {
     }
 }
 
-/// Whether enough of the checks were answered; if not, it is told. A failure is an answer, too, where a baseline says whether it is accepted
-/// and no part is required.
+/// Whether enough of the checks were answered; if not, it is told. A failure is an answer, too, where a baseline says whether it is
+/// accepted and no part is required.
 fn is_enough(report: &Report, required: Option<f64>, arguments: &Arguments) -> bool {
     // the audit of a file is none of the checks that were selected
     let counts = |check: &&CheckOutcome| arguments.only.is_empty() || !check.check.starts_with(AUDITS);

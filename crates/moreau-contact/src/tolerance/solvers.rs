@@ -269,7 +269,8 @@ pub const FEWEST_FREE: usize = 1000;
 /// Set.
 pub const FEWEST_IN_ROUNDS: usize = 150;
 
-/// Most contacts of a problem on which it makes 120 000 sweeps in such rounds where it has no start: half a minute.
+/// Most contacts of a problem on which it makes [`SWEEPS_OF_FREE`] sweeps, and proximal points from there, where it has no start and has
+/// not ended otherwise: three seconds.
 /// Set.
 pub const MOST_IN_ROUNDS: usize = 5000;
 
@@ -301,9 +302,10 @@ pub const SINGULAR_VALUE_STEPS: usize = 30;
 /// Set.
 pub const LEFT_OUT_OF_SMOOTHED: usize = 2;
 
-/// Plain sweeps there, and in the first of the rounds of fewer contacts. 8 000 over the 5 464 contacts of a pile of spheres take as long as
-/// twenty steps of Newton's method; from there proximal points took 52 steps, 89 from 5 000 and 97 from 3 000. Of 28 steps of falling
-/// piles with 162 to 1 155 contacts (μ = 0.3, 0.5 and 0.8) rounds that begin with 8 000 ended more, and sooner, than with 2 000 or 4 000.
+/// Plain sweeps there, and before proximal points where fewer contacts were not ended by anything else. 8 000 over the 5 464 contacts of a
+/// pile of spheres take as long as twenty steps of Newton's method; from there proximal points took 52 steps, 89 from 5 000 and 97 from
+/// 3 000. Of 28 steps of falling piles with 162 to 1 155 contacts (μ = 0.3, 0.5 and 0.8) they end more, and sooner, from 8 000 than in
+/// rounds that begin with 2 000 or 4 000.
 /// Set.
 pub const SWEEPS_OF_FREE: usize = 8000;
 

@@ -5,16 +5,11 @@
 //!
 //! A pile at rest hardly changes from step to step, and a factor of it costs hundreds of sweeps: there sweeps are measured, and one or two
 //! end most steps that kept impulses do not.
-//!
-//! Where many contacts close at once, as in a pile that falls, that does not end it: loads find their way through the pile sweep by sweep,
-//! and Newton's method ends it only from where they have come. When they have is not known, so that both take turns: proximal points from
-//! what the sweeps have found, and where those fail twice as many sweeps, which go on from their own end.
 
-use super::super::{ContactSolver, NonsmoothNewton, ProjectedGaussSeidel, ProximalNewton, watch, workspace};
+use super::super::{ContactSolver, NonsmoothNewton, ProjectedGaussSeidel, workspace};
 use super::stages::{is_iterated, is_taken_in_rounds};
-use crate::certificate::Judge;
 use crate::problem::{ContactProblem, Solution};
-use crate::tolerance::newton::{CONTACTS_OF_A_SWEEP, REUSES, ROUNDS, STEPS_OF_ROUND, SWEEPS_FROM_KEPT};
+use crate::tolerance::newton::{CONTACTS_OF_A_SWEEP, REUSES, SWEEPS_FROM_KEPT};
 use crate::tolerance::solvers::{FEWEST_IN_ISLANDS, SHORT_STEPS};
 use nalgebra::DVector;
 
@@ -43,34 +38,6 @@ pub(super) fn solve(problem: &ContactProblem, kept: &DVector<f64>, stop: f64) ->
     ended.map(|ended| Solution { iterations: sweeps + ended.iterations, ..ended })
 }
 
-/// Sweeps and proximal points in turn from what is kept, until the relative residual is `enough`, or the best of their answers; `first`
-/// sweeps in the first round.
-pub(super) fn in_rounds(problem: &ContactProblem, kept: &DVector<f64>, first: usize, [stop, enough]: [f64; 2]) -> Option<Solution> {
-    let (mut judge, mut iterations, mut swept, mut best) = (Judge::default(), 0, kept.clone(), None);
-    let mut offer = |solution: Solution, best: &mut Option<(f64, Solution)>| {
-        iterations += solution.iterations;
-        let relative = judge.look(problem, &solution).map_or(f64::NAN, |judged| judged.relative());
-        let better = best.as_ref().is_none_or(|(least, _)| relative < *least);
-        let worse = if better { best.replace((relative, solution)).map(|(_, worse)| worse) } else { Some(solution) };
-        worse.into_iter().for_each(Solution::leave);
-        best.as_ref().is_some_and(|(least, _)| *least <= enough) || watch::is_over()
-    };
-    for round in 0..ROUNDS {
-        let sweeps = ProjectedGaussSeidel { sweeps: first << round, tolerance: stop, ..Default::default() };
-        let Ok(found) = sweeps.solve(problem, Some(&swept)) else { break };
-        swept.copy_from(&found.impulse);
-        if offer(found, &mut best) {
-            break;
-        }
-        let points = ProximalNewton { steps: STEPS_OF_ROUND, tolerance: stop, ..Default::default() };
-        let Ok(found) = points.solve(problem, Some(&swept)) else { break };
-        if offer(found, &mut best) {
-            break;
-        }
-    }
-    best.map(|(_, found)| Solution { iterations, ..found })
-}
-
 /// Whether a contact closes that was kept open, or pressed too little: for rounding alone sweeps do nothing.
 fn closes(problem: &ContactProblem, kept: &DVector<f64>, stop: f64) -> bool {
     let mut memory = workspace::borrow(problem);
@@ -90,12 +57,13 @@ fn swept(problem: &ContactProblem, kept: &DVector<f64>) -> Option<Solution> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::rounds::in_rounds;
     use super::*;
     use crate::certificate::residuals;
     use crate::operator::{BlockSparse, wall};
     use crate::problem::Law;
     use crate::solvers::watch;
-    use crate::tolerance::newton::FIRST_ROUND;
+    use crate::tolerance::newton::{FIRST_ROUND, ROUNDS};
     use crate::tolerance::solvers::{ENOUGH, STOP};
     use nalgebra::{DMatrix, Vector3};
 
@@ -193,7 +161,7 @@ mod tests {
     fn what_falls_together_is_taken_in_rounds_where_there_are_many_contacts_and_few_of_a_body() {
         let problem = fallen(6, 4);
         let zero = DVector::zeros(problem.rows());
-        let answer = in_rounds(&problem, &zero, FIRST_ROUND, [STOP, ENOUGH]).expect("some hundred contacts");
+        let answer = in_rounds(&problem, &zero, [FIRST_ROUND, ROUNDS], [STOP, ENOUGH]).expect("some hundred contacts");
         let relative = |answer: &Solution| residuals(&problem, answer).expect("sizes fit").judged.relative();
         assert!(relative(&answer) <= ENOUGH, "{:e}", relative(&answer));
         let short = solve(&problem, &zero, STOP).expect("some hundred contacts");

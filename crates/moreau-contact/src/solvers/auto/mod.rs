@@ -4,6 +4,7 @@ mod by_blocks;
 mod fewer_contacts;
 mod interior;
 mod kept;
+mod rounds;
 mod smoothing;
 mod stages;
 mod stuck;
@@ -14,7 +15,7 @@ use crate::memory::spare::{self, Lent, Spare};
 use crate::operator::Islands;
 use crate::problem::{ContactProblem, Coordinates, Law, Solution, island_rows};
 use crate::tolerance::certificate::CERTIFY;
-use crate::tolerance::newton::FIRST_ROUND;
+use crate::tolerance::newton::{FIRST_ROUND, ROUNDS};
 use crate::tolerance::solvers::{ACCEPTABLE, ENOUGH, FEWEST_IN_ISLANDS, STOP};
 use moreau_exact::error::Failure;
 use moreau_exact::{Error, Result};
@@ -39,12 +40,12 @@ use stages::{ENDING, QUICK, SMOOTHED, THOROUGH, left_out};
 /// | all but a compliance on edges | a few accelerated sweeps, and a few steps of nonsmooth Newton from what they found |
 /// | fewer contacts of that kind under Coulomb's law | interior points and Newton; the same as of many contacts |
 /// | a thousand contacts, fewer rows for each velocity, W stored by blocks, round cones | plain sweeps, and proximal points from there |
-/// | 150 to 5 000 contacts under Coulomb's law, W stored by blocks | plain sweeps and proximal points in turn, ever more of the former |
 /// | W stored by blocks, round cones | interior points, and Newton from there |
 /// | friction with round cones at up to 100 contacts, where that was not good enough | Fischer and Burmeister's equations, and Newton |
 /// | up to 12 contacts, where that was not good enough | Newton from contacts that all stick |
 /// | all but a compliance on edges | Newton |
 /// | no friction, up to 1 000 contacts | parametric principal pivots |
+/// | 150 to 5 000 contacts under Coulomb's law, W stored by blocks, where that was not enough | plain sweeps, then proximal points |
 /// | all but a compliance on edges, where that was not good enough | proximal points around Newton, from zero |
 /// | second-order cones at more contacts; W stored by blocks | Fischer and Burmeister's equations, and Newton |
 /// | second-order cones, the fewer contacts the longer | proximal points that creep and leap, and Newton |
@@ -313,7 +314,7 @@ fn stages_in_turn(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, g
     }
     let kept = warm_start.filter(|_| best.is_none());
     let kept = kept.filter(|_| stages::is_taken_in_rounds(problem));
-    if let Some(solution) = kept.and_then(|kept| kept::in_rounds(problem, kept, FIRST_ROUND, [goal.stop, goal.enough])) {
+    if let Some(solution) = kept.and_then(|kept| rounds::in_rounds(problem, kept, [FIRST_ROUND, ROUNDS], [goal.stop, goal.enough])) {
         let relative = judge.judge_prepared(problem, &solution)?.relative();
         iterations += solution.iterations;
         best = (!relative.is_nan()).then_some((relative, solution));

@@ -8,7 +8,7 @@ use super::super::{
     AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, ConvexSubproblems, Enumeration, GaussNewton, LemkePivoting,
     NewtonMin, NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation, ProximalNewton, compliance,
 };
-use super::{fewer_contacts, interior, kept, smoothing, stuck};
+use super::{fewer_contacts, interior, rounds, smoothing, stuck};
 use crate::certificate::Judge;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
 use crate::tolerance::newton::{PATIENCE, PATIENT_STEPS, PATIENT_WORK, STEPS_IN_AUTO};
@@ -34,7 +34,6 @@ pub(super) const QUICK: &[(Takes, Stage)] = &[
     (is_stuck, |problem, _, stop| interior::and_points(problem, stop)),
     (is_rubbing, |problem, _, stop| smoothing::solve(problem, None, stop)),
     (is_many_and_free, through_sweeps),
-    (is_piled, in_rounds),
     (|problem| is_large(problem) && !is_stuck(problem), |problem, _, stop| interior::and_newton(problem, stop)),
 ];
 
@@ -49,6 +48,7 @@ pub(super) const ENDING: &[(Takes, Stage)] = &[(is_iterated, newton), (is_princi
 
 /// Those that follow where the answer is not good enough yet for the certificate, [`ACCEPTABLE`].
 pub(super) const THOROUGH: &[(Takes, Stage)] = &[
+    (is_piled, in_a_round),
     (is_iterated, |problem, _, stop| ProximalNewton { steps: STEPS_IN_AUTO, tolerance: stop, ..Default::default() }.solve(problem, None)),
     (is_smoothed_late, |problem, _, stop| smoothing::solve(problem, None, stop)),
     (has_second_order_cone, patient_points),
@@ -276,12 +276,9 @@ fn through_softness(problem: &ContactProblem, _: Option<&DVector<f64>>, stop: f6
     Ok(Solution { iterations: iterations + ended.iterations, ..ended })
 }
 
-/// Plain sweeps and proximal points in turn.
-fn in_rounds(problem: &ContactProblem, start: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
-    let from = start.map_or_else(|| DVector::zeros(problem.rows()), Clone::clone);
-    // what is asked for, or what is enough where that is all there is
-    let enough = if stop > tolerance::STOP { stop } else { ENOUGH };
-    kept::in_rounds(problem, &from, tolerance::SWEEPS_OF_FREE, [stop, enough])
+/// Plain sweeps from zero, and proximal points from there.
+fn in_a_round(problem: &ContactProblem, _: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
+    rounds::in_rounds(problem, &DVector::zeros(problem.rows()), [tolerance::SWEEPS_OF_FREE, 1], [stop; 2])
         .ok_or_else(|| Error::breakdown("pgs", "ended without an answer made of numbers"))
 }
 
