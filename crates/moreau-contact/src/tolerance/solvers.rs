@@ -269,11 +269,6 @@ pub const FEWEST_FREE: usize = 1000;
 /// Set.
 pub const FEWEST_IN_ROUNDS: usize = 150;
 
-/// Most contacts of a problem on which it makes [`SWEEPS_OF_FREE`] sweeps, and proximal points from there, where it has no start and has
-/// not ended otherwise: three seconds.
-/// Set.
-pub const MOST_IN_ROUNDS: usize = 5000;
-
 /// Most contacts of a problem with a W that is stored densely on which `auto` solves Fischer and Burmeister's equations: some sixty steps
 /// of 2(3n)³/3 operations make 10⁹ there.
 /// Set.

@@ -45,7 +45,7 @@ use stages::{ENDING, QUICK, SMOOTHED, THOROUGH, left_out};
 /// | up to 12 contacts, where that was not good enough | Newton from contacts that all stick |
 /// | all but a compliance on edges | Newton |
 /// | no friction, up to 1 000 contacts | parametric principal pivots |
-/// | 150 to 5 000 contacts under Coulomb's law, W stored by blocks, where that was not enough | plain sweeps, then proximal points |
+/// | 150 to 999 contacts under Coulomb's law, W stored by blocks, where that was not enough | plain sweeps, then proximal points |
 /// | all but a compliance on edges, where that was not good enough | proximal points around Newton, from zero |
 /// | second-order cones at more contacts; W stored by blocks | Fischer and Burmeister's equations, and Newton |
 /// | second-order cones, the fewer contacts the longer | proximal points that creep and leap, and Newton |

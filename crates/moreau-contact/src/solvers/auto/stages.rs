@@ -175,9 +175,9 @@ fn is_many_and_free(problem: &ContactProblem) -> bool {
 }
 
 /// Whether sweeps over so many contacts under Coulomb's law find the way of loads through them that interior points and Newton's method do
-/// not, for the price of some of their steps.
+/// not, for the price of some of their steps; over more they have been made before.
 fn is_piled(problem: &ContactProblem) -> bool {
-    let is_many = (tolerance::FEWEST_IN_ROUNDS..=tolerance::MOST_IN_ROUNDS).contains(&problem.contacts());
+    let is_many = (tolerance::FEWEST_IN_ROUNDS..tolerance::FEWEST_FREE).contains(&problem.contacts());
     is_many && problem.law() == Law::Coulomb && is_large(problem)
 }
 
