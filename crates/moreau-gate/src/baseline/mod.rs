@@ -426,7 +426,7 @@ impl BaselineValue {
         let (then_bad, now_bad) = (badness(now, self.value), badness(now, now.value));
         let at = at(self.time_step);
         if self.unit != now.unit {
-            let units = format!("in the unit {} instead of {}", now.unit, self.unit);
+            let units = format!("in the unit “{}” instead of “{}”", now.unit, self.unit);
             return Some((ChangeKind::Regression, format!("{}{at} is {units}: make a new baseline", now.quantity)));
         }
         // as many digits as tell the two apart

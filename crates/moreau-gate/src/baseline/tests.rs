@@ -64,7 +64,7 @@ fn a_value_in_another_unit_is_not_compared() {
     assert_eq!(kinds(&of("m"), &of("m")), []);
     let changes = Baseline::of(&of("m")).compare(&of("mm"), day("2026-11-21")).expect("comparable");
     assert_eq!((changes[0].kind, changes.len()), (ChangeKind::Regression, 1));
-    assert!(changes[0].what.contains("in the unit mm instead of m: make a new baseline"), "{}", changes[0].what);
+    assert!(changes[0].what.contains("in the unit “mm” instead of “m”: make a new baseline"), "{}", changes[0].what);
 }
 
 #[test]

@@ -45,6 +45,7 @@ use stages::{ENDING, QUICK, SMOOTHED, THOROUGH, left_out};
 /// | up to 12 contacts, where that was not good enough | Newton from contacts that all stick |
 /// | all but a compliance on edges | Newton |
 /// | no friction, up to 1 000 contacts | parametric principal pivots |
+/// | soft contacts, where that was not good enough | Newton on Gauss's principle, from zero |
 /// | 150 to 999 contacts under Coulomb's law, W stored by blocks, where that was not enough | plain sweeps, then proximal points |
 /// | all but a compliance on edges, where that was not good enough | proximal points around Newton, from zero |
 /// | second-order cones at more contacts; W stored by blocks | Fischer and Burmeister's equations, and Newton |
@@ -342,7 +343,7 @@ fn stages_in_turn(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, g
         worse.into_iter().for_each(Solution::leave);
     }
     if let Some(given) = warm_start.filter(|_| best.as_ref().is_none_or(|(least, _)| *least > goal.acceptable)) {
-        best = or_as_given(problem, judge, given, best)?;
+        best = or_as_given(problem, judge, given, best);
     }
     match (best, failure) {
         (Some((relative, solution)), _) => {
@@ -362,17 +363,18 @@ fn stages_in_turn(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, g
     }
 }
 
-/// The best answer, or what was given where that is a better one: no answer is worse than its start.
+/// The best answer, or what was given where that is a better one: no answer is worse than its start. Of a law that judges more than
+/// impulses, as the edges that a compliance acts on, a start tells nothing.
 fn or_as_given(
     problem: &ContactProblem,
     judge: &mut Judge,
     given: &DVector<f64>,
     best: Option<(f64, Solution)>,
-) -> Result<Option<(f64, Solution)>> {
+) -> Option<(f64, Solution)> {
     let given = Solution::new(NAME, given.clone(), problem.velocity(given), 0);
-    let relative = judge.judge_prepared(problem, &given)?.relative();
+    let relative = judge.judge_prepared(problem, &given).map_or(f64::NAN, |judged| judged.relative());
     let is_better = !relative.is_nan() && best.as_ref().is_none_or(|(least, _)| relative < *least);
-    Ok(if is_better { Some((relative, given)) } else { best })
+    if is_better { Some((relative, given)) } else { best }
 }
 
 #[cfg(test)]

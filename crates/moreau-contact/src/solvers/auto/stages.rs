@@ -48,6 +48,7 @@ pub(super) const ENDING: &[(Takes, Stage)] = &[(is_iterated, newton), (is_princi
 
 /// Those that follow where the answer is not good enough yet for the certificate, [`ACCEPTABLE`].
 pub(super) const THOROUGH: &[(Takes, Stage)] = &[
+    (|problem| problem.compliance().is_some(), |problem, _, _| GaussNewton::default().solve(problem, None)),
     (is_piled, in_a_round),
     (is_iterated, |problem, _, stop| ProximalNewton { steps: STEPS_IN_AUTO, tolerance: stop, ..Default::default() }.solve(problem, None)),
     (is_smoothed_late, |problem, _, stop| smoothing::solve(problem, None, stop)),
@@ -175,7 +176,7 @@ fn is_many_and_free(problem: &ContactProblem) -> bool {
 }
 
 /// Whether sweeps over so many contacts under Coulomb's law find the way of loads through them that interior points and Newton's method do
-/// not, for the price of some of their steps; over more they have been made before.
+/// not, for the price of some of their steps. A thousand and more, few for each velocity, come to them sooner.
 fn is_piled(problem: &ContactProblem) -> bool {
     let is_many = (tolerance::FEWEST_IN_ROUNDS..tolerance::FEWEST_FREE).contains(&problem.contacts());
     is_many && problem.law() == Law::Coulomb && is_large(problem)

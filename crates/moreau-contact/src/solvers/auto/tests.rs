@@ -44,13 +44,31 @@ fn no_answer_is_worse_than_the_one_that_was_given() {
     let mut of = |given: f64, best: Option<f64>| {
         let best = best.map(|normal| Solution::new("best", answer(normal), block.velocity(&answer(normal)), 7));
         let best = best.map(|best| (judge.judge_prepared(&block, &best).expect("sizes fit").relative(), best));
-        or_as_given(&block, &mut judge, &answer(given), best).expect("sizes fit").map(|(_, answer)| answer.solver)
+        or_as_given(&block, &mut judge, &answer(given), best).map(|(_, answer)| answer.solver)
     };
     assert_eq!(of(1.0, Some(0.5)).as_deref(), Some(NAME));
     assert_eq!(of(0.5, Some(1.0)).as_deref(), Some("best"));
     assert_eq!(of(0.5, Some(0.5)).as_deref(), Some("best"), "as good as the start");
     assert_eq!(of(0.5, None).as_deref(), Some(NAME));
     assert_eq!(of(f64::MAX, None), None, "what overflows is no answer");
+}
+
+/// Impulses alone are no answer where a compliance acts on edges.
+#[test]
+fn a_start_that_cannot_be_judged_takes_no_answer_away() {
+    let law = Law::PolyhedralAssociated { directions: 4 };
+    let soft = ContactProblem::new(DMatrix::identity(3, 3), dvector![-1.0, 0.5, 0.25]).law(law).friction(vec![0.5]);
+    let compliance = Compliance { coordinates: Coordinates::Edge, diagonal: dvector![0.25, 0.25, 0.25, 0.25] };
+    let soft = soft.compliance(compliance).build().expect("valid");
+    let (mut judge, answer) = (Judge::default(), Auto.solve(&soft, None).expect("it has an answer"));
+    judge.prepare(&soft);
+    let given = answer.impulse.clone();
+    let best = or_as_given(&soft, &mut judge, &given, Some((0.5, answer)));
+    assert!(best.is_some_and(|(relative, answer)| relative == 0.5 && answer.beta.is_some()));
+    assert!(or_as_given(&soft, &mut judge, &given, None).is_none());
+    // no accuracy is enough for this goal, so that every stage is tried and the start is looked at
+    let goal = Goal { stop: 0.0, enough: -1.0, acceptable: -1.0 };
+    assert!(stages_in_turn(&soft, Some(&dvector![1.0, 0.0, 0.0]), goal).is_ok_and(|(relative, _)| relative <= ENOUGH));
 }
 
 /// `count` chains of five rows each that meet no other chain, and as many rows alone, mixed: the chains are ever harder.
