@@ -24,7 +24,7 @@ pub fn start(problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Res
 /// ```text
 ///     |r_n| ≤ 10⁻⁸/(8ε) ρ_n V ,   ‖r_t‖ ≤ 10⁻⁸/(8ε) ρ_t V        at every contact, V the largest velocity given
 /// ```
-/// Where every given velocity is zero, r = 0 is a solution.
+/// Where every given velocity is zero nothing tells, and they are taken.
 ///
 /// # Errors
 /// As [`start`].
