@@ -171,6 +171,7 @@ impl Scales {
         self.floors.resize(problem.rows(), 0.0);
         let places = problem.islands().first.iter().zip(problem.groups(groups::find));
         self.contacts.clear();
+        self.contacts.reserve(weights.len());
         let is_associated = matches!(problem.law(), Law::Associated | Law::PolyhedralAssociated { .. });
         let known = weights.iter().zip(moves_itself.iter()).zip(problem.friction()).zip(places);
         for (((weights, moves_itself), mu), (island, group)) in known {
@@ -225,7 +226,9 @@ impl Scales {
         self.shared.clear();
         self.shared.resize(problem.contacts(), [0.0; 3]);
         self.own.clear();
+        self.own.reserve(problem.contacts());
         self.given.clear();
+        self.given.reserve(problem.contacts());
         self.largest.clear();
         self.largest.resize(problem.contacts(), Largest::default());
         let law = problem.law();
