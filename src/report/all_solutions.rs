@@ -1,9 +1,11 @@
 //! What enumerating solutions shows: all of them, in the plane, of few contacts in space and under polyhedral friction, or some.
 
+use crate::certificate::forward::Radius;
 use crate::certificate::patterns::{Exact, Solutions, solutions};
 use crate::certificate::polyhedral_solutions::{PolyhedralSolutions, polyhedral_solutions};
 use crate::certificate::several::{Distinct, distinct};
 use crate::certificate::spatial::{Velocities, velocities};
+use crate::certificate::uniqueness::Uniqueness;
 use crate::number::{counted, significant};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::scalar::{Rational, Scalar, exact};
@@ -16,24 +18,56 @@ use serde::Serialize;
 /// Numbers of a velocity or an impulse that are shown to readers: six contacts in the plane.
 const SHOWN: usize = 12;
 
+/// Contacts of a part that are shown to readers.
+const NAMED: usize = 6;
+
 /// All solutions of a problem in the plane, of few contacts in space, or under polyhedral friction.
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "AllSolutions")]
 pub(super) struct All {
     /// How many patterns of open, sticking and sliding contacts were tried, or complementary cones of polyhedral friction: all there are.
-    patterns: usize,
+    pub patterns: usize,
     /// Into how many pieces they were cut by directions of slip, in space.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pieces: Option<usize>,
+    pub pieces: Option<usize>,
     /// In how many sets the complementary cones were looked at, under polyhedral friction.
     #[serde(skip_serializing_if = "Option::is_none")]
-    sets: Option<usize>,
+    pub sets: Option<usize>,
     /// How many velocities; at the vertices, if they are a continuum.
     pub velocities: usize,
     /// Whether they are a continuum.
-    continuum: bool,
-    /// u of each \[m/s\], rounded.
-    found: Vec<Vec<f64>>,
+    pub continuum: bool,
+    /// u of each \[m/s\], rounded; of the first 1000 where parts that share nothing have more together.
+    pub found: Vec<Vec<f64>>,
+    /// The parts that share nothing, of which these solutions are any together; of one that has none, that one alone.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub parts: Vec<Part>,
+}
+
+/// A part of a problem, which shares nothing with the others.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "PartOfSolutions")]
+pub(super) struct Part {
+    /// Its contacts.
+    pub contacts: Vec<usize>,
+    /// How many velocities it has; at the vertices, if they are a continuum.
+    pub velocities: usize,
+    /// Whether they are a continuum.
+    pub continuum: bool,
+}
+
+impl Part {
+    /// Its contacts, for reading.
+    pub fn named(&self) -> String {
+        named(&self.contacts)
+    }
+}
+
+/// These contacts, for reading.
+pub(super) fn named(contacts: &[usize]) -> String {
+    let shown: Vec<String> = contacts.iter().take(NAMED).map(usize::to_string).collect();
+    let more = if contacts.len() > NAMED { format!(", … {} in all", contacts.len()) } else { String::new() };
+    format!("contact{} {}{more}", if contacts.len() == 1 { "" } else { "s" }, shown.join(", "))
 }
 
 /// Solutions with different velocities: answers whose enclosures are disjoint, or what an enumeration found before it stopped.
@@ -55,9 +89,9 @@ pub(super) struct Several {
 #[schemars(rename = "EndOfContinuum")]
 pub(super) struct End {
     /// r \[N·s\], rounded.
-    impulse: Vec<f64>,
+    pub impulse: Vec<f64>,
     /// u \[m/s\], rounded.
-    velocity: Vec<f64>,
+    pub velocity: Vec<f64>,
 }
 
 /// What the enumeration of a problem's solutions shows; nothing where it is not tried.
@@ -72,10 +106,14 @@ pub(super) struct Enumerated {
     pub met: Vec<Solution>,
     /// Where others may be.
     pub undecided: Vec<String>,
+    /// One solution, where the enumeration met any.
+    pub one: Option<End>,
+    /// Patterns, or the pieces or sets that they were looked at in.
+    pub work: usize,
 }
 
 impl Enumerated {
-    /// What it shows of this problem.
+    /// What it shows of this problem, of all contacts at once.
     pub fn of(problem: &ContactProblem) -> Self {
         if let Law::PolyhedralCoulomb { .. } = problem.law() {
             return match polyhedral_solutions(problem) {
@@ -85,17 +123,17 @@ impl Enumerated {
             };
         }
         if let Ok(mut all) = solutions(problem) {
-            let continuum = all.continuum.take().map(ends);
-            return Enumerated { all: Some(All::planar(all, continuum.is_some())), continuum, ..Enumerated::default() };
+            let (continuum, one, work) = (all.continuum.take().map(ends), all.found.first().map(End::of), all.patterns);
+            return Enumerated { all: Some(All::planar(all, continuum.is_some())), continuum, one, work, ..Enumerated::default() };
         }
-        match velocities(problem) {
-            Ok(all) if all.exactly().is_some() => Enumerated { all: Some(All::spatial(all)), ..Enumerated::default() },
-            Ok(all) => {
-                let undecided = all.undecided.into_iter().map(|reason| reason.text).collect();
-                Enumerated { met: all.found.into_iter().map(|(answer, _)| answer).collect(), undecided, ..Enumerated::default() }
-            }
-            Err(_) => Enumerated::default(),
+        let Ok(all) = velocities(problem) else { return Enumerated::default() };
+        let (work, near) = (all.pieces, |(answer, _): &(Solution, Radius)| End::near(answer));
+        let one = all.found.first().map(near);
+        if all.exactly().is_some() {
+            return Enumerated { all: Some(All::spatial(all)), one, work, ..Enumerated::default() };
         }
+        let undecided = all.undecided.into_iter().map(|reason| reason.text).collect();
+        Enumerated { met: all.found.into_iter().map(|(answer, _)| answer).collect(), undecided, one, work, ..Enumerated::default() }
     }
 
     fn polyhedral(rows: usize, mut found: PolyhedralSolutions) -> Self {
@@ -110,11 +148,18 @@ impl Enumerated {
             (count, Some(_)) if count > 1 => ("unknown", "there are several".into()),
             (_, Some(stopped)) => ("unknown", stopped.clone()),
         };
+        let (one, work) = (found.found.first().map(End::of), found.sets);
         let (all, several) = match found.stopped.take() {
             None => (Some(All::polyhedral(found, continuum.is_some())), None),
             Some(stopped) => (None, Several::until(rows, &found.found, stopped)),
         };
-        Enumerated { unique: Some(unique), all, several, continuum, ..Enumerated::default() }
+        Enumerated { unique: Some(unique), all, several, continuum, one, work, ..Enumerated::default() }
+    }
+
+    /// What is unique, and why: the velocity, too, where all solutions are known and have one.
+    pub fn or_counted(&self, known: (&'static str, String)) -> (&'static str, String) {
+        let has_one = self.all.as_ref().is_some_and(|all| all.velocities == 1 && !all.continuum);
+        if known.0 == "unknown" && has_one { ("velocity", "all patterns were tried and one velocity was found".into()) } else { known }
     }
 
     /// The same, where no solution was found and one is proved to exist: that is one of the exact H M̂⁻¹ Hᵀ, and the stored W is rounded.
@@ -134,28 +179,63 @@ impl Enumerated {
     }
 }
 
+/// In a word, and why.
+pub(super) fn told(found: Uniqueness) -> (&'static str, String) {
+    match found {
+        Uniqueness::Solution(reason) => ("solution", reason.into()),
+        Uniqueness::Velocity(reason) => ("velocity", reason.into()),
+        Uniqueness::Unknown(reason) => ("unknown", reason),
+    }
+}
+
 fn rounded(numbers: &DVector<Rational>) -> Vec<f64> {
     numbers.iter().map(Scalar::to_f64).collect()
 }
 
 pub(super) fn ends(ends: [Exact; 2]) -> [End; 2] {
-    ends.map(|end| End { impulse: rounded(&end.impulse), velocity: rounded(&end.velocity) })
+    ends.map(|end| End::of(&end))
+}
+
+impl End {
+    fn of(exact: &Exact) -> Self {
+        End { impulse: rounded(&exact.impulse), velocity: rounded(&exact.velocity) }
+    }
+
+    fn near(answer: &Solution) -> Self {
+        End { impulse: answer.impulse.as_slice().to_vec(), velocity: answer.velocity.as_slice().to_vec() }
+    }
 }
 
 impl All {
     fn planar(all: Solutions, continuum: bool) -> Self {
         let found: Vec<_> = all.found.iter().map(|one| rounded(&one.velocity)).collect();
-        All { patterns: all.patterns, pieces: None, sets: None, velocities: found.len(), continuum, found }
+        All { patterns: all.patterns, pieces: None, sets: None, velocities: found.len(), continuum, found, parts: Vec::new() }
     }
 
     fn spatial(all: Velocities) -> Self {
         let found: Vec<_> = all.found.iter().map(|(answer, _)| answer.velocity.as_slice().to_vec()).collect();
-        All { patterns: all.patterns, pieces: Some(all.pieces), sets: None, velocities: found.len(), continuum: false, found }
+        All {
+            patterns: all.patterns,
+            pieces: Some(all.pieces),
+            sets: None,
+            velocities: found.len(),
+            continuum: false,
+            found,
+            parts: Vec::new(),
+        }
     }
 
     fn polyhedral(all: PolyhedralSolutions, continuum: bool) -> Self {
         let found: Vec<_> = all.found.iter().map(|one| rounded(&one.velocity)).collect();
-        All { patterns: 1 << all.unknowns, pieces: None, sets: Some(all.sets), velocities: found.len(), continuum, found }
+        All {
+            patterns: 1 << all.unknowns,
+            pieces: None,
+            sets: Some(all.sets),
+            velocities: found.len(),
+            continuum,
+            found,
+            parts: Vec::new(),
+        }
     }
 
     /// For reading.
@@ -165,6 +245,11 @@ impl All {
             (_, true) => "the velocities of the solutions are a continuum".into(),
             (1, false) => "the solutions have exactly 1 velocity".into(),
             (count, false) => format!("the solutions have exactly {count} velocities"),
+        };
+        let count = match self.parts.len() {
+            0 => count,
+            1 if self.velocities == 0 => format!("{count} of {}, which shares nothing with the others", self.parts[0].named()),
+            parts => format!("{count}, those of {parts} parts that share nothing in any combination"),
         };
         let patterns = counted(self.patterns, "pattern");
         match (self.pieces, self.sets) {

@@ -26,6 +26,7 @@ pub mod quantity;
 mod sampled;
 pub mod schemas;
 pub mod site;
+mod solutions_by_parts;
 pub mod steps;
 pub mod summary;
 pub mod systems;

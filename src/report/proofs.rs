@@ -1,13 +1,15 @@
 //! What was proved about all solutions of a problem: how many there are, or that there is none.
 
-use super::all_solutions::{All, End, Enumerated, Several, end_lines, ends};
+use super::all_solutions::{All, End, Enumerated, Several, end_lines, ends, named, told};
+use super::solutions_by_parts::enumerated;
 use crate::Result;
 use crate::certificate::infeasible::{Infeasible, infeasible};
 use crate::certificate::jointed_proof::{infeasible_jointed, uniqueness_jointed};
 use crate::certificate::patterns::{Solutions, solutions};
 use crate::certificate::segment::segment;
+use crate::certificate::separate::{Separate, separate};
 use crate::certificate::spatial::{Velocities, velocities};
-use crate::certificate::uniqueness::{Uniqueness, uniqueness};
+use crate::certificate::uniqueness::uniqueness;
 use crate::number::{counted, significant};
 use crate::problem::{ContactProblem, JointedProblem, Solution};
 use crate::scalar::{Rational, Scalar};
@@ -64,8 +66,9 @@ impl Proofs {
     /// # Errors
     /// As [`distinct`](crate::certificate::several::distinct).
     pub fn new(problem: &ContactProblem, exists: bool, answers: impl FnOnce() -> Vec<Solution>) -> Result<Self> {
-        let mut known = Enumerated::of(problem).unless_contradicted(exists);
-        let (unique, reason) = known.unique.take().unwrap_or_else(|| told(uniqueness(problem)));
+        let mut known = enumerated(problem).unless_contradicted(exists);
+        let unique = known.unique.take().unwrap_or_else(|| told(uniqueness(problem)));
+        let (unique, reason) = known.or_counted(unique);
         let infeasible = if exists { None } else { infeasible(problem).map(|found| Refuted::new(found, "")) };
         if unique == "unknown" && known.is_open() && infeasible.is_none() {
             let met: Vec<Solution> = std::mem::take(&mut known.met).into_iter().chain(answers()).collect();
@@ -127,15 +130,6 @@ impl Proofs {
     }
 }
 
-/// In a word, and why.
-fn told(found: Uniqueness) -> (&'static str, String) {
-    match found {
-        Uniqueness::Solution(reason) => ("solution", reason.into()),
-        Uniqueness::Velocity(reason) => ("velocity", reason.into()),
-        Uniqueness::Unknown(reason) => ("unknown", reason),
-    }
-}
-
 /// That a problem has no solution.
 pub struct NoSolution {
     /// In a line.
@@ -157,8 +151,19 @@ pub fn no_solution(problem: &ContactProblem) -> Option<NoSolution> {
     infeasible(problem).map(|found| in_a_line(&found, "")).or_else(|| none_of_the_patterns(problem))
 }
 
-/// That all patterns of few contacts were tried and none is a solution; nothing where one is, or there are too many.
+/// That all patterns of few contacts were tried and none is a solution; nothing where one is, or there are too many. Of contacts that fall
+/// into parts which share nothing it is enough that one part has none.
 fn none_of_the_patterns(problem: &ContactProblem) -> Option<NoSolution> {
+    let parts = separate(problem).unwrap_or_default();
+    if parts.is_empty() {
+        return none_of_them(problem, "its contacts");
+    }
+    let none = |part: &Separate| none_of_them(&part.problem, &named(&part.contacts));
+    parts.iter().find_map(none)
+}
+
+/// The same of contacts that are all together.
+fn none_of_them(problem: &ContactProblem, which: &str) -> Option<NoSolution> {
     let in_plane = |all: Solutions| (all.found.is_empty() && all.continuum.is_none()).then_some(all.patterns);
     let in_space = |all: Velocities| (all.exactly() == Some(0)).then_some(all.patterns);
     let patterns = match solutions(problem) {
@@ -166,7 +171,7 @@ fn none_of_the_patterns(problem: &ContactProblem) -> Option<NoSolution> {
         Err(_) => velocities(problem).ok().and_then(in_space),
     }?;
     let patterns = counted(patterns, "pattern");
-    let text = format!("proved in fractions: the problem has no solution; all {patterns} of what its contacts may do were tried\n");
+    let text = format!("proved in fractions: the problem has no solution; all {patterns} of what {which} may do were tried\n");
     Some(NoSolution { text, relative: None })
 }
 
@@ -232,5 +237,16 @@ mod tests {
             let (lines, denied) = told(&walls, true, vec![Solution::new("", DVector::zeros(6), free, 0)]);
             assert_eq!((lines.contains("continuum") && lines.contains("other end"), denied), (is_told, false), "{lines}");
         }
+    }
+
+    #[test]
+    fn one_part_without_solution_is_enough_and_is_named() {
+        // its impulse pulls it in: no pattern holds
+        let w = DMatrix::from_diagonal(&DVector::from_fn(16, |i, _| if i == 6 { -1.0 } else { 1.0 }));
+        let problem = ContactProblem::new(w, DVector::from_element(16, -1.0)).rows_per_contact(2).friction(vec![0.5; 8]).build().unwrap();
+        let proofs = Proofs::new(&problem, false, Vec::new).unwrap();
+        let told = proofs.lines().join("\n");
+        assert!(proofs.denies() && told.contains("there is no solution of contact 3, which shares nothing"), "{told}");
+        assert!(none_of_the_patterns(&problem).is_some_and(|none| none.text.contains("of what contact 3 may do")));
     }
 }

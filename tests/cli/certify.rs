@@ -245,15 +245,40 @@ fn velocities_under_polyhedral_friction_are_counted_in_text_and_json() {
     assert_eq!((&solutions["unique"], &solutions["all"]["velocities"]), (&"solution".into(), &1.into()), "{solutions}");
     assert!(text.contains("all 2^6 complementary cones") && !text.contains("not known"), "{text}");
     // four contacts have 24 unknowns: why it is not known, and no count
-    let rows: Vec<Vec<i32>> = (0..12).map(|i| (0..12).map(|j| i32::from(i == j)).collect()).collect();
-    let many = format!(
-        r#"{{"schema": "contact-problem/1", "name": "many", "dimension": 3, "law": "polyhedral-coulomb", "directions": 4,
-            "friction": [1, 1, 1, 1], "free_velocity": {:?}, "delassus": {{"shape": [12, 12], "rows": {rows:?}}}}}"#,
-        [1; 12]
-    );
+    let rows_of = |joined: f64| -> Vec<Vec<f64>> {
+        (0..12)
+            .map(|i: usize| {
+                (0..12)
+                    .map(|j: usize| {
+                        if i == j {
+                            1.0
+                        } else if i % 3 + j % 3 == 0 {
+                            joined
+                        } else {
+                            0.0
+                        }
+                    })
+                    .collect()
+            })
+            .collect()
+    };
+    let many = |joined: f64| {
+        format!(
+            r#"{{"schema": "contact-problem/1", "name": "many", "dimension": 3, "law": "polyhedral-coulomb", "directions": 4,
+            "friction": [1, 1, 1, 1], "free_velocity": {:?}, "delassus": {{"shape": [12, 12], "rows": {:?}}}}}"#,
+            [1; 12],
+            rows_of(joined)
+        )
+    };
     let zero = folder.file("zeros.json", &format!(r#"{{"schema": "solution/1", "impulse": {:?}}}"#, [0; 12]));
-    let solutions =
-        moreau(&["certify", &folder.file("many.json", &many), &zero, "--prove", "--format", "json"]).json()["solutions"].clone();
+    let solutions = |joined: f64| {
+        let problem = folder.file("many.json", &many(joined));
+        moreau(&["certify", &problem, &zero, "--prove", "--format", "json"]).json()["solutions"].clone()
+    };
+    // of contacts that share nothing each is small enough
+    let apart = solutions(0.0);
+    assert_eq!((&apart["unique"], &apart["all"]["parts"][3]["contacts"][0]), (&"solution".into(), &3.into()), "{apart}");
+    let solutions = solutions(0.125);
     assert!(solutions["unique"] == "unknown" && solutions["reason"].as_str().is_some_and(|why| why.contains("24 unknowns")), "{solutions}");
     assert!(solutions.get("all").is_none() && solutions.get("several").is_none(), "{solutions}");
 }
@@ -291,29 +316,40 @@ fn a_continuum_of_velocities_is_told_by_its_two_ends() {
 #[test]
 fn several_velocities_are_counted_by_disjoint_enclosures_and_one_is_not() {
     let folder = Folder::new("certify-several");
-    // seven rods of Painlevé, more contacts than all patterns are tried for: each lifts off, slides or is jammed, or sticks at once
-    let of = |name: &str, free: [f64; 2]| {
-        let entry = |i: usize, j: usize| if i / 2 == j / 2 { [[1, 2], [2, 5]][i % 2][j % 2] } else { 0 };
-        let rows: Vec<Vec<i32>> = (0..14).map(|i| (0..14).map(|j| entry(i, j)).collect()).collect();
+    // seven rods of Painlevé: each lifts off, slides or is jammed, or sticks at once; where they touch each other, however lightly, they are
+    // more contacts than all patterns are tried for
+    let entry = |i: usize, j: usize, joined: f64| match (i / 2).abs_diff(j / 2) {
+        0 => [[1.0, 2.0], [2.0, 5.0]][i % 2][j % 2],
+        1 if i % 2 + j % 2 == 0 => joined,
+        _ => 0.0,
+    };
+    let rows = |joined: f64| -> Vec<Vec<f64>> { (0..14).map(|i| (0..14).map(|j| entry(i, j, joined)).collect()).collect() };
+    let of = |name: &str, joined: f64, free: &[f64]| {
         let text = format!(
             r#"{{"schema": "contact-problem/1", "name": "rods", "dimension": 2, "law": "coulomb", "friction": {:?},
-                "free_velocity": {:?}, "delassus": {{"shape": [14, 14], "rows": {rows:?}}}}}"#,
+                "free_velocity": {free:?}, "delassus": {{"shape": [14, 14], "rows": {:?}}}}}"#,
             [1; 7],
-            free.repeat(7)
+            rows(joined)
         );
         folder.file(name, &text)
     };
-    let open =
-        folder.file("open.json", &format!(r#"{{"schema": "solution/1", "impulse": {:?}, "velocity": {:?}}}"#, [0; 14], [1, 4].repeat(7)));
-    let run = moreau(&["certify", &of("several.json", [1.0, 4.0]), &open, "--prove", "--format", "json"]);
+    let free = [1.0, 4.0].repeat(7);
+    let open = folder.file("open.json", &format!(r#"{{"schema": "solution/1", "impulse": {:?}, "velocity": {free:?}}}"#, [0; 14]));
+    let several = of("several.json", 0.0009765625, &free);
+    let run = moreau(&["certify", &several, &open, "--prove", "--format", "json"]);
     let least = run.json()["solutions"]["several"]["at_least"].as_u64();
     assert!(run.code == 0 && least.is_some_and(|least| (2..=3u64.pow(7)).contains(&least)), "{}{}", run.output, run.message);
-    let run = moreau(&["certify", &of("several.json", [1.0, 4.0]), &open, "--prove"]);
+    let run = moreau(&["certify", &several, &open, "--prove"]);
     assert!(run.output.contains("different velocities: so many answers have disjoint enclosures"), "{}", run.output);
-    let impulse = [7, -3].repeat(7);
+    let apart = moreau(&["certify", &of("apart.json", 0.0, &free), &open, "--prove"]);
+    assert!(apart.code == 0 && apart.output.contains("exactly 2187 velocities, those of 7 parts"), "{}", apart.output);
+    let impulse = [7.0, -3.0].repeat(7);
     let stuck = folder.file("stuck.json", &format!(r#"{{"schema": "solution/1", "impulse": {impulse:?}, "velocity": {:?}}}"#, [0; 14]));
-    let run = moreau(&["certify", &of("one.json", [-1.0, 1.0]), &stuck, "--prove", "--format", "json"]);
-    assert!(run.code == 0 && run.json()["solutions"].get("several").is_none(), "{}{}", run.output, run.message);
+    for joined in [0.0, 0.0009765625] {
+        let free: Vec<f64> = rows(joined).iter().map(|row| -row.iter().zip(&impulse).map(|(w, r)| w * r).sum::<f64>()).collect();
+        let run = moreau(&["certify", &of("one.json", joined, &free), &stuck, "--prove", "--format", "json"]);
+        assert!(run.code == 0 && run.json()["solutions"].get("several").is_none(), "{}{}", run.output, run.message);
+    }
 }
 
 #[test]

@@ -276,9 +276,9 @@ fn main() -> ExitCode {
     let cases = [
         Case { name: "stack", steps: 1000, most: 0.3, ..Case::default() },
         Case { name: "at-rest", warm: 1000, steps: 1000, most: 0.1, ..Case::default() },
-        Case { name: "heap", start: || at_rest(&heap()), steps: 500, most: 4.4, ..Case::default() },
+        Case { name: "heap", start: || at_rest(&heap()), steps: 500, most: 2.8, ..Case::default() },
         Case { name: "field", start: || at_rest(&field()), h: 0.001, most: 0.3, ..Case::default() },
-        Case { name: "settled", start: settled, rough: 100, warm: 20, steps: 300, within: Some(1e-6), most: 4.4, ..Case::default() },
+        Case { name: "settled", start: settled, rough: 100, warm: 20, steps: 300, within: Some(1e-6), most: 2.0, ..Case::default() },
         Case { name: "pile", start: || at_rest(&pile()), warm: 50, steps: 50, ..Case::default() },
     ];
     let broken = cases.into_iter().filter(|case| case.name.contains(&word)).map(measure).filter(|kept| !kept).count();

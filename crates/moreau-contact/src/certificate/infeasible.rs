@@ -112,11 +112,7 @@ impl Sought<'_> {
         if islands.members.len() == 1 && !islands.last_is_of_lone {
             return self.of_joined();
         }
-        let (last, of_lone) = (islands.members.len().checked_sub(1)?, islands.last_is_of_lone);
-        let apart = |(place, members): (usize, &[usize])| -> Vec<Vec<usize>> {
-            if of_lone && place == last { members.iter().map(|k| vec![*k]).collect() } else { vec![members.to_vec()] }
-        };
-        let mut all: Vec<Vec<usize>> = islands.members.iter().enumerate().flat_map(apart).collect();
+        let mut all = islands.one_by_one();
         all.sort_by_key(Vec::len);
         let (mut work, mut entries, mut by_rounding) = (0, 0, None);
         for members in &all {

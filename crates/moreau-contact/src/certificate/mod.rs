@@ -54,6 +54,7 @@ mod residuals_json;
 mod scales;
 pub mod segment;
 mod semidefinite;
+pub mod separate;
 pub mod several;
 pub mod spatial;
 mod step;

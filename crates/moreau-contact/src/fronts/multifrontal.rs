@@ -42,7 +42,10 @@ pub(crate) struct Factor {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Work {
     front: Vec<f64>,
+    /// What nodes left for their parents, until these have it.
     updates: Vec<Vec<f64>>,
+    /// Memory of updates that parents had.
+    free: Vec<Vec<f64>>,
     local: Vec<usize>,
     own: front::Memory,
     part: Vec<f64>,
@@ -69,7 +72,9 @@ impl Factor {
         self.lower.resize(tree.storage, 0.0);
         self.upper.resize(if is_symmetric { 0 } else { tree.storage }, 0.0);
         self.exchanged.resize(if is_symmetric { 0 } else { tree.starts[tree.starts.len() - 1] }, 0);
-        work.updates.resize_with(work.updates.len().max(tree.nodes.len()), Vec::new);
+        // those that a matrix left which was not regular
+        work.free.extend(work.updates.drain(..).filter(|update| update.capacity() > 0));
+        work.updates.resize_with(tree.nodes.len(), Vec::new);
         work.local.resize(tree.node_of.len(), 0);
         let mut exchanges = 0;
         for (id, node) in tree.nodes.iter().enumerate() {
@@ -80,8 +85,9 @@ impl Factor {
             assemble(id, &mut Front { entries: &mut work.front, size, local: &work.local });
             for &child in tree.children(id) {
                 add_child(&mut work.front, size, tree.rows_in_parent(child), &work.updates[child], is_symmetric);
-                if !keeps {
-                    work.updates[child] = Vec::new();
+                let had = std::mem::take(&mut work.updates[child]);
+                if keeps {
+                    work.free.push(had);
                 }
             }
             let exchanged = if is_symmetric { &mut [] } else { &mut self.exchanged[exchanges..exchanges + node.pivots] };
@@ -95,9 +101,13 @@ impl Factor {
                 return false;
             }
             self.store(node, &work.front);
-            let left = &mut work.updates[id];
-            left.clear();
-            work.front.chunks_exact(size.max(1)).skip(node.pivots).for_each(|column| left.extend_from_slice(&column[node.pivots..]));
+            if size > node.pivots {
+                let mut left = work.free.pop().unwrap_or_default();
+                left.clear();
+                left.reserve((size - node.pivots).pow(2));
+                work.front.chunks_exact(size).skip(node.pivots).for_each(|column| left.extend_from_slice(&column[node.pivots..]));
+                work.updates[id] = left;
+            }
         }
         true
     }

@@ -67,6 +67,26 @@ impl Islands {
         }
         parts.islands()
     }
+
+    /// Those of contacts that are together where they touch the same of so many things, directly or through others.
+    pub fn touching(contacts: usize, things: usize, touched: &[Vec<usize>]) -> Self {
+        let (mut parts, mut last) = (Parts::alone(contacts), vec![None; things]);
+        for (k, touched) in touched.iter().enumerate() {
+            for thing in touched {
+                if let Some(before) = last[*thing].replace(k) {
+                    parts.join(before, k);
+                }
+            }
+        }
+        parts.islands()
+    }
+
+    /// The contacts of each, those that meet no other one by one at the end.
+    pub fn one_by_one(&self) -> Vec<Vec<usize>> {
+        let together = self.members.len() - usize::from(self.last_is_of_lone);
+        let lone = self.members.iter().skip(together).flatten().map(|k| vec![*k]);
+        self.members.iter().take(together).map(<[usize]>::to_vec).chain(lone).collect()
+    }
 }
 
 /// The islands of H: contacts are together whose rows touch the same velocity, directly or through others. H_I H_Jᵀ = 0 for any two.
@@ -80,19 +100,8 @@ impl Islands {
 /// assert_eq!(islands_of(&Jacobian::new(1, 4, contacts)), [vec![0, 3], vec![1], vec![2]]);
 /// ```
 pub fn islands_of(jacobian: &Jacobian) -> Vec<Vec<usize>> {
-    let contacts = jacobian.contacts();
-    let (mut parts, mut last) = (Parts::alone(contacts.len()), vec![None; jacobian.ncols()]);
-    for (k, rows) in contacts.iter().enumerate() {
-        for velocity in rows.touched() {
-            if let Some(before) = last[velocity].replace(k) {
-                parts.join(before, k);
-            }
-        }
-    }
-    let islands = parts.islands();
-    let together = islands.members.len() - usize::from(islands.last_is_of_lone);
-    let lone = islands.members.iter().skip(together).flatten().map(|k| vec![*k]);
-    islands.members.iter().take(together).map(<[usize]>::to_vec).chain(lone).collect()
+    let touched: Vec<Vec<usize>> = jacobian.contacts().iter().map(|rows| rows.touched().collect()).collect();
+    Islands::touching(touched.len(), jacobian.ncols(), &touched).one_by_one()
 }
 
 /// Contacts that were found to be together, each with one of them that comes before it, or itself.

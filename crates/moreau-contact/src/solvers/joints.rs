@@ -10,7 +10,9 @@
 
 use super::ContactSolver;
 use super::joints_exactly::{self as exactly, Decided};
+use crate::certificate::joints::jointed_residuals;
 use crate::problem::{ContactProblem, JointedProblem, MOST_ROWS, Solution};
+use crate::tolerance::certificate::CERTIFY;
 use crate::tolerance::joints::{AGREES, DEPENDENT, INDEPENDENT};
 use moreau_exact::error::Failure;
 use moreau_exact::number::significant;
@@ -32,6 +34,8 @@ pub struct WithoutJoints {
     contacts: ContactProblem,
     eliminated: Vec<Eliminated>,
     dependent: Vec<usize>,
+    /// What the velocity of every row was summed from, without signs.
+    terms: DVector<f64>,
 }
 
 impl WithoutJoints {
@@ -50,7 +54,20 @@ impl WithoutJoints {
         dependent.iter().try_for_each(|row| system.require_agreement(*row))?;
         system.clear_fixed();
         let contacts = problem.unilateral(&system.matrix, &(&system.velocity - problem.shifts()))?;
-        Ok(WithoutJoints { contacts, eliminated, dependent })
+        Ok(WithoutJoints { contacts, eliminated, dependent, terms: system.terms })
+    }
+
+    /// The same where velocities are zero that are rounding beside their terms; none where there are none.
+    fn at_rest(&self, problem: &JointedProblem) -> Option<Self> {
+        let terms = problem.spread(&self.terms);
+        let given = self.contacts.free_velocity() + self.contacts.shift();
+        let is_rounding = |row: usize| given[row] != 0.0 && given[row].abs() <= DEPENDENT * terms[row];
+        if !(0..given.len()).any(is_rounding) {
+            return None;
+        }
+        let own = |row: usize| if is_rounding(row) { -self.contacts.shift()[row] } else { self.contacts.free_velocity()[row] };
+        let contacts = with_velocity(&self.contacts, DVector::from_fn(given.len(), |row, _| own(row)))?;
+        Some(WithoutJoints { contacts, ..self.clone() })
     }
 
     /// The contacts and limits: Ŵ, and q̂ without the shift.
@@ -189,6 +206,11 @@ impl<'a> System<'a> {
 /// Which row of a constraint, of as many as it may have.
 const ORDINALS: [&str; MOST_ROWS] = ["first", "second", "third", "fourth", "fifth", "sixth"];
 
+/// The same W with another u_free.
+fn with_velocity(contacts: &ContactProblem, free: DVector<f64>) -> Option<ContactProblem> {
+    contacts.clone().into_builder().free_velocity(free).build().ok()
+}
+
 /// A refusal says what was asked: a solver that needs mass and Jacobian would otherwise ask for those that the file has.
 fn without_mechanism(error: Error) -> Error {
     match error {
@@ -213,6 +235,9 @@ fn of_all_rows(problem: &JointedProblem, left: &WithoutJoints, error: Error) -> 
 
 /// Solves a problem with joints by a solver for contacts, from the impulses of all rows `warm_start` if given.
 ///
+/// Where the certificate refuses its answer, or there is none, what elimination leaves is taken once more without what it rounds: from
+/// fractions, and with the velocities at rest that are rounding beside what they were summed from.
+///
 /// # Errors
 /// Those of [`WithoutJoints::new`] and of the solver; [`Error::Invalid`] if the warm start has another size. The failure `infeasible` is
 /// told where it is proved of the problem, not of what elimination in floating-point numbers left of it.
@@ -222,9 +247,33 @@ pub fn solve_jointed(problem: &JointedProblem, solver: &dyn ContactSolver, warm_
     }
     let left = WithoutJoints::new(problem)?;
     let start = warm_start.map(|all| problem.spread(all));
-    let found = match left.contacts().contacts() {
+    let first = answered(problem, &left, solver, start.as_ref());
+    if solver.is_truncated() || left.contacts.contacts() == 0 || first.as_ref().is_ok_and(|answer| is_accepted(problem, answer)) {
+        return first.map_err(|error| of_all_rows(problem, &left, error));
+    }
+    let exactly = || exactly::left_of_contacts(problem, &left.contacts).map(|contacts| WithoutJoints { contacts, ..left.clone() });
+    let again: [&dyn Fn() -> Option<WithoutJoints>; 2] = [&exactly, &|| left.at_rest(problem)];
+    for left in again.into_iter().filter_map(|make| make()) {
+        let Ok(mut answer) = answered(problem, &left, solver, start.as_ref()) else { continue };
+        if let Some(impulse) = exactly::completed(problem, &answer.impulse) {
+            (answer.velocity, answer.impulse) = (problem.velocity(&impulse), impulse);
+        }
+        if is_accepted(problem, &answer) {
+            return Ok(answer);
+        }
+    }
+    first.map_err(|error| of_all_rows(problem, &left, error))
+}
+
+fn is_accepted(problem: &JointedProblem, answer: &Solution) -> bool {
+    jointed_residuals(problem, answer).is_ok_and(|residuals| residuals.relative() <= CERTIFY)
+}
+
+/// The answer of the contacts that are left, with the impulses of the joints.
+fn answered(problem: &JointedProblem, left: &WithoutJoints, solver: &dyn ContactSolver, start: Option<&DVector<f64>>) -> Result<Solution> {
+    let found = match left.contacts.contacts() {
         0 => Solution::new(solver.name(), DVector::zeros(0), DVector::zeros(0), 0),
-        _ => solver.solve(left.contacts(), start.as_ref()).map_err(|error| of_all_rows(problem, &left, without_mechanism(error)))?,
+        _ => solver.solve(&left.contacts, start).map_err(without_mechanism)?,
     };
     let mut impulse = DVector::zeros(problem.rows());
     problem.gather(&found.impulse, &mut impulse);
@@ -236,3 +285,7 @@ pub fn solve_jointed(problem: &JointedProblem, solver: &dyn ContactSolver, warm_
 #[cfg(test)]
 #[path = "joints_tests.rs"]
 mod tests;
+
+#[cfg(test)]
+#[path = "joints_at_rest_tests.rs"]
+mod at_rest_tests;

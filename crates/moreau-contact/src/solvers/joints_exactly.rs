@@ -14,7 +14,8 @@ use crate::certificate::true_operator::operator;
 use crate::problem::{ByRows, ContactProblem, JointedProblem, Lcp};
 use crate::tolerance::complementarity::SEARCHED_ROWS;
 use crate::tolerance::joints::EXACT_ROWS;
-use moreau_exact::scalar::{Rational, exact};
+use moreau_exact::elimination::solve;
+use moreau_exact::scalar::{Rational, Scalar, exact};
 use nalgebra::{DMatrix, DVector};
 
 /// What is proved of a problem.
@@ -51,14 +52,54 @@ fn lcp(problem: &JointedProblem, contacts: &ContactProblem) -> Option<Lcp<Ration
     let (w, given) = left(problem)?;
     let mut all = contacts.dense().map(exact);
     // rows beside limits move nothing else, and stay
-    let place = problem.spread(&DVector::from_fn(problem.rows(), |row, _| row as f64 + 1.0)).map(|row| row as usize);
-    let own: Vec<(usize, usize)> = place.iter().enumerate().filter(|(_, row)| **row > 0).map(|(at, row)| (at, row - 1)).collect();
+    let own = places(problem);
     let mut velocity = DVector::from_element(contacts.rows(), Rational::ZERO);
     for (at, row) in &own {
         velocity[*at] = given[*row].clone();
         own.iter().for_each(|(beside, column)| all[(*at, *beside)] = w[(*row, *column)].clone());
     }
     Some(form.exact_lcp_of(contacts, all, &velocity))
+}
+
+/// The contacts that are left, Ŵ and q̂ rounded once; `None` where they are many, or no elimination leaves them.
+pub(super) fn left_of_contacts(problem: &JointedProblem, contacts: &ContactProblem) -> Option<ContactProblem> {
+    let (w, given) = left(problem)?;
+    // rows beside limits move nothing else, and stay
+    let own = places(problem);
+    let mut matrix = contacts.dense().clone();
+    let mut free = contacts.free_velocity().clone();
+    for (at, row) in &own {
+        free[*at] = Scalar::to_f64(&(&given[*row] - exact(contacts.shift()[*at])));
+        own.iter().for_each(|(beside, column)| matrix[(*at, *beside)] = Scalar::to_f64(&w[(*row, *column)]));
+    }
+    contacts.clone().into_builder().delassus(matrix).free_velocity(free).build().ok()
+}
+
+/// The same impulses with those of the joints that the contacts ask for, rounded once; `None` where the problem is large, or the impulses
+/// of the joints are not unique.
+pub(super) fn completed(problem: &JointedProblem, impulse: &DVector<f64>) -> Option<DVector<f64>> {
+    let w = whole(problem)?;
+    let joined: Vec<usize> = problem.bilateral().into_iter().flat_map(|k| problem.rows_of(k)).collect();
+    let given = |row: usize| exact(problem.free_velocity()[row]) + exact(problem.shifts()[row]);
+    let free = |row: usize| {
+        let others = (0..problem.rows()).filter(|other| !joined.contains(other));
+        others.fold(given(row), |sum, other| sum + &w[(row, other)] * exact(impulse[other]))
+    };
+    let own = |i: usize, j: usize| {
+        let soft = if i == j { exact(problem.softnesses()[joined[i]]) } else { Rational::ZERO };
+        &w[(joined[i], joined[j])] + soft
+    };
+    let right = DVector::from_fn(joined.len(), |i, _| -free(joined[i]));
+    let found = solve(&DMatrix::from_fn(joined.len(), joined.len(), own), &right)?;
+    let mut all = impulse.clone();
+    joined.iter().zip(found.iter()).for_each(|(row, r)| all[*row] = Scalar::to_f64(r));
+    Some(all)
+}
+
+/// The row of every row of the contacts that are left, where it has one.
+fn places(problem: &JointedProblem) -> Vec<(usize, usize)> {
+    let place = problem.spread(&DVector::from_fn(problem.rows(), |row, _| row as f64 + 1.0)).map(|row| row as usize);
+    place.iter().enumerate().filter(|(_, row)| **row > 0).map(|(at, row)| (at, row - 1)).collect()
 }
 
 /// W and q of all rows once the bilateral ones are eliminated, whose own mean nothing then; `None` where some of them depend on others and

@@ -19,9 +19,10 @@ pub const FILE_PART: usize = 1 << 16;
 /// Set.
 pub const MEMORY_BYTES: u64 = 1 << 32;
 
-/// Most spare vectors of a kind that a thread keeps for its next step.
+/// Most spare vectors of a kind that a thread keeps for its next step: twenty steps that are mixed have three each, and a problem and its
+/// solvers some dozens.
 /// Set.
-pub const SPARE_VECTORS: usize = 64;
+pub const SPARE_VECTORS: usize = 256;
 
 /// Memory of the spare vectors of a kind that a thread keeps at most \[bytes\]: 8 MB, what a step of some thousand contacts needs.
 /// Set.

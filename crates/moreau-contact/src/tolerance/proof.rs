@@ -145,6 +145,11 @@ pub const SPATIAL_CONTACTS: usize = 3;
 /// Set.
 pub const PIECES: usize = 4_000;
 
+/// Pieces, patterns and sets that the parts of a problem are looked at in together, from which on no further part is: those of sixteen
+/// patterns that are cut as far as they may be, some seconds.
+/// Set.
+pub const PARTS_WORK: usize = 16 * PIECES;
+
 /// The shortest arc that is halved, in the tangent of half of its angle, 2⁻¹⁶: a solution that is not seen to be one or none in an arc as
 /// short as this is on a border between two cases, or nearly so.
 /// Set.

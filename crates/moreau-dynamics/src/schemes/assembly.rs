@@ -121,7 +121,7 @@ fn chosen(at: &StepContext, theta: f64, is_active: impl Fn(&Candidate) -> bool) 
     }
     let jacobian = stack(active.iter().map(|k| &at.contacts()[*k]), rows, columns);
     let places = spare::collected(active.len(), active.iter().map(|k| at.contacts()[*k].place));
-    Ok((StepProblem { problem: None, active, places, effective_mass, free_velocity, jacobian, residual: None }, velocities))
+    Ok((StepProblem { problem: None, active, places, effective_mass, free_velocity, jacobian, residual: None, rejected: None }, velocities))
 }
 
 /// H of these contacts, one below the other.

@@ -33,6 +33,7 @@ impl Scheme for Events {
         let assembled = StepProblem {
             problem: None,
             residual: None,
+            rejected: None,
             active: motion.impulses.iter().map(|one| one.contact).collect(),
             places: motion.impulses.iter().map(|one| one.place).collect(),
             jacobian: stack([].into_iter(), mechanism.rows_per_contact(), motion.state.velocity.len()),

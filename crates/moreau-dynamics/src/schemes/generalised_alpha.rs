@@ -234,6 +234,7 @@ impl Waist for GeneralisedAlpha {
             free_velocity: smooth.velocity,
             jacobian,
             residual: None,
+            rejected: None,
         })
     }
 

@@ -64,7 +64,9 @@ fn certified_step(scheme: &dyn Scheme, solver: &Certified, start: &Start) -> Res
 fn judged(step: Step, solver: &Certified) -> Step {
     let (residual, rejected) = solver.take();
     let own = step.residual.map(|own| StepResidual { limit: solver.tolerance(), ..own });
-    Step { residual: StepResidual::worse_of(own, residual), rejected: rejected.map(Box::new), ..step }
+    // those on the way were held against the default tolerance
+    let on_the_way = step.rejected.filter(|_| own.is_some_and(|own| !own.is_accepted()));
+    Step { residual: StepResidual::worse_of(own, residual), rejected: rejected.map(Box::new).or(on_the_way), ..step }
 }
 
 /// `steps` steps of size h from `initial`, every sample recorded with the residual of its step; sample k lies at time initial.time + k h.

@@ -150,7 +150,7 @@ impl Waist for MoreauJeanProjection {
         let (effective_mass, free_velocity) = at.free_motion(self.theta)?;
         let mut reached = self.advance(at, &free_velocity);
         let (mut held, mut problem): (Vec<(Identity, Contact)>, Option<ContactProblem>) = (Vec::new(), None);
-        let mut residual = None;
+        let (mut residual, mut rejected) = (None, None);
         loop {
             let next = joined(mechanism.contacts(&reached), held.clone());
             if next.len() == held.len() {
@@ -162,7 +162,9 @@ impl Waist for MoreauJeanProjection {
             let solver: &dyn ContactSolver = if posed.rows_per_contact() <= 2 { &LemkePivoting } else { &Auto };
             let certified = Certified::new(solver);
             let solution = certified.solve(&posed, None)?;
-            residual = StepResidual::worse_of(residual, certified.take().0);
+            let (worst, first) = certified.take();
+            residual = StepResidual::worse_of(residual, worst);
+            rejected = rejected.or(first.map(Box::new));
             let jacobian = assembly::stack(held.iter().map(|(_, contact)| contact), mechanism.rows_per_contact(), free_velocity.len());
             let velocity = &free_velocity + effective_mass.solve(&jacobian.tr_mul(&solution.impulse));
             let keys: Vec<Identity> = held.iter().map(|(key, _)| *key).collect();
@@ -171,7 +173,7 @@ impl Waist for MoreauJeanProjection {
         }
         let jacobian = assembly::stack(held.iter().map(|(_, contact)| contact), mechanism.rows_per_contact(), free_velocity.len());
         let (active, places) = held.into_iter().map(|(key, _)| (key.index, key.place)).unzip();
-        Ok(StepProblem { problem, active, places, effective_mass, free_velocity, jacobian, residual })
+        Ok(StepProblem { problem, active, places, effective_mass, free_velocity, jacobian, residual, rejected })
     }
 
     fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {

@@ -86,7 +86,7 @@ impl Waist for RungeKuttaFlip {
             .bodies(pairs(&places))
             .build()?;
         let problem = (!active.is_empty()).then_some(problem);
-        Ok(StepProblem { problem, active, places, effective_mass, free_velocity, jacobian, residual: None })
+        Ok(StepProblem { problem, active, places, effective_mass, free_velocity, jacobian, residual: None, rejected: None })
     }
 
     fn advance(&self, at: &StepContext, _velocity_post: &DVector<f64>) -> DVector<f64> {

@@ -127,12 +127,14 @@ pub struct StepProblem {
     pub jacobian: Arc<Jacobian>,
     /// The worst residual of problems that were solved to assemble this one; none for most schemes.
     pub residual: Option<StepResidual>,
+    /// The first of their answers that was rejected.
+    pub rejected: Option<Box<Rejected>>,
 }
 
 impl StepProblem {
     /// Leaves its memory to the next step.
     fn leave(self) {
-        let StepProblem { problem, active, places, effective_mass, free_velocity, jacobian, residual: _ } = self;
+        let StepProblem { problem, active, places, effective_mass, free_velocity, jacobian, residual: _, rejected: _ } = self;
         drop(problem); // which shares M̂ and H
         active.leave();
         places.leave();

@@ -216,6 +216,7 @@ fn step(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Step> {
     let assembled = StepProblem {
         problem: None,
         residual: None,
+        rejected: None,
         active: impulses.iter().map(|one| one.contact).collect(),
         places: impulses.iter().map(|one| one.place).collect(),
         jacobian: stack([].into_iter(), rows, velocity.len()),

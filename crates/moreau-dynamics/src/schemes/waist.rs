@@ -118,7 +118,7 @@ pub fn step_in_parts(start: &Start, parts: &Parts) -> Result<Step> {
 }
 
 /// Answers what was assembled and moves on.
-fn finish(parts: &Parts, at: &StepContext, assembled: StepProblem) -> Result<Step> {
+fn finish(parts: &Parts, at: &StepContext, mut assembled: StepProblem) -> Result<Step> {
     let (solution, own): (Option<Solution>, _) = match (parts.answer)(at, &assembled)? {
         Some(OwnAnswer { solution, residual }) => (Some(solution), residual),
         None => (None, None),
@@ -135,7 +135,8 @@ fn finish(parts: &Parts, at: &StepContext, assembled: StepProblem) -> Result<Ste
     let position = (parts.advance)(at, &assembled, &velocity)?;
     let state = State { time: at.state().time + at.h(), position, velocity };
     let residual = StepResidual::worse_of(own, assembled.residual);
-    Ok(Step { state, impulses, assembled, solution, residual, rejected: None, impacts: None })
+    let rejected = assembled.rejected.take();
+    Ok(Step { state, impulses, assembled, solution, residual, rejected, impacts: None })
 }
 
 /// The previous impulses of the contacts that are active now, zero for the others \[N·s\].

@@ -86,7 +86,7 @@ impl Known {
             Known::Dense(Dynamics { mass, jacobian }) => made([Sparse::of(mass), Sparse::of(jacobian)]),
             Known::Sparse { inertia, .. } => {
                 let jacobian = self.by_bodies().map(|(_, jacobian)| entries_of_rows(&jacobian, rows_per_contact));
-                made([entries_of(inertia.mass()), jacobian.expect("it is kept by bodies")])
+                made(without_unmoved([entries_of(inertia.mass()), jacobian.expect("it is kept by bodies")]))
             }
         }
     }
@@ -159,6 +159,16 @@ fn may_lose_digits(inertia: &Inertia) -> bool {
 
 fn is_diagonal(mass: &DMatrix<f64>) -> bool {
     mass.iter().enumerate().all(|(place, entry)| *entry == 0.0 || place % (mass.nrows() + 1) == 0)
+}
+
+/// The same W of finite masses: a velocity of infinite mass is left out of H, and any mass stands in its place.
+fn without_unmoved([mut mass, mut rows]: [Sparse; 2]) -> [Sparse; 2] {
+    let mut is_unmoved = vec![false; mass.shape[0]];
+    for (v, _, entry) in mass.entries.iter_mut().filter(|(.., entry)| entry.is_infinite()) {
+        (is_unmoved[*v], *entry) = (true, 1.0);
+    }
+    rows.entries.retain(|(_, v, _)| !is_unmoved[*v]);
+    [mass, rows]
 }
 
 /// The entries of H that are not zero.

@@ -226,10 +226,10 @@ impl ContactProblem {
         *self.loses_digits.get_or(|| self.dynamics.as_ref().is_some_and(look))
     }
 
-    /// W as mass and Jacobian make it, where what is kept was formed of them; `None` if they are not known, are not finite, or take more
-    /// memory than is allowed. Found once.
+    /// W as mass and Jacobian make it, where what is kept was formed of them; `None` if they are not known or take more memory than is
+    /// allowed. Found once.
     pub(crate) fn unformed(&self) -> Option<&MatrixFree> {
-        let make = || self.dynamics.as_ref().filter(|known| known.is_finite()).and_then(|known| known.unformed(self.rows_per_contact).ok());
+        let make = || self.dynamics.as_ref().and_then(|known| known.unformed(self.rows_per_contact).ok());
         self.unformed.get_or(make).as_ref()
     }
 

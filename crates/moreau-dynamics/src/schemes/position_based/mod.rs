@@ -148,6 +148,7 @@ impl PositionBased {
         let assembled = StepProblem {
             problem: None,
             residual: None,
+            rejected: None,
             active: impulses.iter().map(|one| one.contact).collect(),
             places: impulses.iter().map(|one| one.place).collect(),
             effective_mass: inertia.clone(),
