@@ -110,7 +110,7 @@ impl<'a> Bench<'a> {
             options.entry(sleeping).or_insert(false.into());
         }
         options.extend(more.clone());
-        let trajectory = self.engine.simulate(&scene, time_step, sample_every, &options)?;
+        let trajectory = self.engine.simulate(&scene, time_step, sample_every, &options)?.with_ground_second();
         answers(&trajectory, &scene, time_step, steps, sample_every).map_err(Refusal::Errored)?;
         let may_sleep = self.description.sleeping.as_ref().is_some_and(|option| options.get(option) != Some(&false.into()));
         self.any_answer.look_at(&scene, &trajectory, self.description, may_sleep)?;

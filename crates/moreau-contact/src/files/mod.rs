@@ -9,5 +9,5 @@ mod words;
 pub use atomic::{is_same_file, write_atomically, write_together};
 pub use near::{did_you_mean, near};
 pub use schema::{read_object, read_schema, schema_of};
-pub use text::{read_json, read_problem, read_text};
+pub use text::{printable, read_json, read_problem, read_text};
 pub use words::{Told, told};

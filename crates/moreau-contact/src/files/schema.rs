@@ -32,7 +32,7 @@ pub fn schema_of<'a>(text: &str, schemas: &[&'a str]) -> Result<&'a str> {
     }
     if text.trim_start().starts_with(|letter: char| letter != '{') {
         let problem = "is missing, because the text is not a JSON object";
-        return Err(Error::invalid("schema", problem, format!("start with {{\"schema\": {names}")));
+        return Err(Error::invalid("schema", problem, format!("start with {{\"schema\": {names}, …}}")));
     }
     let probe: Probe = read_object(text, schemas.first().copied().unwrap_or_default())?;
     match probe.schema {

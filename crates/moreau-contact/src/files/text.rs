@@ -8,6 +8,22 @@ use std::fs::File;
 use std::io::{Error as IoError, ErrorKind, Read};
 use std::path::Path;
 
+/// Refuses a name that a terminal would obey.
+///
+/// # Errors
+/// [`Error::Invalid`] names the field.
+/// ```
+/// use moreau_contact::files::printable;
+///
+/// assert!(printable("name", "Kiste Ä").is_ok() && printable("name", "\u{1b}[2J").is_err());
+/// ```
+pub fn printable(field: &str, text: &str) -> Result<()> {
+    if text.chars().any(char::is_control) {
+        return Err(Error::invalid(field, format!("is {text:?}"), "use a text without control characters, which terminals obey"));
+    }
+    Ok(())
+}
+
 /// The text of a file, of at most [`FILE_BYTES`].
 ///
 /// # Errors

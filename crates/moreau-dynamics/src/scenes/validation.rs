@@ -4,6 +4,7 @@ use super::scene::{ONE_SHAPE, SCHEMA};
 use super::{Body, Material, PairOverride, Scene};
 use crate::mechanics::spatial::Shape;
 use crate::tolerance::scenes::WRITTEN_UNIT_VECTOR;
+use moreau_contact::files::printable;
 use moreau_exact::{Error, Result};
 use std::collections::HashSet;
 
@@ -165,13 +166,6 @@ fn coefficients(path: &str, friction: Option<f64>, restitution: Option<f64>) -> 
     }
     if let Some(restitution) = restitution.filter(|restitution| !(0.0..=1.0).contains(restitution)) {
         return Err(Error::invalid(format!("{path}.restitution"), format!("is {restitution}"), "use a number between 0 and 1"));
-    }
-    Ok(())
-}
-
-fn printable(field: &str, text: &str) -> Result<()> {
-    if text.chars().any(char::is_control) {
-        return Err(Error::invalid(field, format!("is {text:?}"), "use a text without control characters, which terminals obey"));
     }
     Ok(())
 }

@@ -17,6 +17,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
+/// The name that stands for the plane in contacts.
+pub(super) const GROUND: &str = "ground";
+
 /// The name and version of the format.
 pub const SCHEMA: &str = "trajectory/1";
 
@@ -133,6 +136,16 @@ impl Trajectory {
     pub fn to_json(&self) -> Result<String> {
         self.validate()?;
         Ok(serde_json::to_string(self)? + "\n")
+    }
+
+    /// The same with the ground as the second body of every record that names it: impulse and normal are those of the other one.
+    pub fn with_ground_second(mut self) -> Self {
+        for contact in self.contacts.iter_mut().filter(|contact| contact.bodies[0] == GROUND) {
+            contact.bodies.reverse();
+            contact.normal = contact.normal.map(|x| -x);
+            contact.impulse = contact.impulse.map(|x| -x);
+        }
+        self
     }
 
     /// The track of a body, by name.

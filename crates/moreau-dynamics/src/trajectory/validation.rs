@@ -1,12 +1,9 @@
 //! What a trajectory must satisfy beyond being JSON of the right shape; every refusal names the field and a cure.
 
-use super::file::{BodyTrack, SCHEMA, Trajectory};
+use super::file::{BodyTrack, GROUND, SCHEMA, Trajectory};
 use crate::tolerance::trajectory::UNIT_LENGTH;
 use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
-
-/// The name that stands for the plane in contacts.
-const GROUND: &str = "ground";
 
 impl Trajectory {
     /// Checks sizes, times, names, finiteness and unit lengths.

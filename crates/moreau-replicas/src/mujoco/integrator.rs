@@ -154,6 +154,7 @@ fn made(mechanism: &dyn Mechanism, state: State, impulses: Vec<ContactImpulse>, 
     let assembled = StepProblem {
         problem: None,
         residual: None,
+        rejected: None,
         active: impulses.iter().map(|one| one.contact).collect(),
         places: impulses.iter().map(|one| one.place).collect(),
         jacobian: stack([].into_iter(), mechanism.rows_per_contact(), state.velocity.len()),

@@ -153,7 +153,7 @@ impl Mujoco {
             )
         };
         let active = contacts.iter().map(|soft| soft.index).collect();
-        Ok(StepProblem { problem, active, places, effective_mass: damped, free_velocity, jacobian, residual: None })
+        Ok(StepProblem { problem, active, places, effective_mass: damped, free_velocity, jacobian, residual: None, rejected: None })
     }
 }
 

@@ -8,6 +8,7 @@ use super::file::{
     ComplianceFile, KindFile, PROBLEM_SCHEMA, ProblemFile, read_compliance, read_keys, read_law, read_operator, text, write_keys, written,
 };
 use super::matrix::MatrixFile;
+use crate::files::printable;
 use crate::problem::contact_problem::Known;
 use crate::problem::jointed::{require_room, starts};
 use crate::problem::{ConstraintKind, Coordinates, Dynamics, JointedProblem};
@@ -35,6 +36,7 @@ pub(super) fn read(file: ProblemFile, kinds: Vec<ConstraintKind>) -> Result<Join
             return Err(Error::invalid(field, format!("has {}", counted(found, "row")), cure));
         }
     }
+    printable("name", &file.name)?;
     let law = read_law(&file.law, file.directions)?;
     let (operator, known) = read_operator(file.delassus, file.mass, file.jacobian, [1, rows])?;
     let by_bodies = operator.matrix_free().filter(|free| free.entries() <= WRITTEN_OUT).map(|free| Dynamics::of(free.triplets()));

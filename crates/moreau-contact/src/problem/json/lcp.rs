@@ -6,7 +6,7 @@
 //! 0 ≤ z ⟂ M z + q ≥ 0 is Signorini's problem with W = M, u_free = q and r = z; M may be any square matrix.
 
 use super::matrix::{PlainMatrix, given};
-use crate::files::read_schema;
+use crate::files::{printable, read_schema};
 use crate::memory;
 use crate::problem::{ContactProblem, Law};
 use moreau_exact::{Error, Result};
@@ -53,6 +53,7 @@ pub(super) fn read(text: &str) -> Result<ContactProblem> {
         }
         _ => {}
     }
+    printable("name", &file.name)?;
     memory::require("the matrix of this problem", memory::matrix(size, size).saturating_mul(2))?;
     let matrix = file.matrix.read("matrix")?;
     ContactProblem::new(matrix, DVector::from_vec(file.vector))

@@ -14,7 +14,7 @@
 
 use super::contact_problem::ROWS;
 use super::{ConstraintKind, ContactProblem, Coordinates, Posed, siconos};
-use crate::files::{read_object, read_problem, schema_of, write_atomically};
+use crate::files::{printable, read_object, read_problem, schema_of, write_atomically};
 use crate::memory;
 use crate::operator::SparseDynamics;
 use crate::tolerance::problem::DENSE_ROWS;
@@ -145,6 +145,7 @@ impl ContactProblem {
     }
 
     fn of_file(file: ProblemFile) -> Result<Self> {
+        printable("name", &file.name)?;
         file.check_counts()?;
         let rows = file.dimension * file.friction.len();
         let law = read_law(&file.law, file.directions)?;

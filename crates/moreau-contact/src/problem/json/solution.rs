@@ -1,7 +1,7 @@
 //! `solution/1`: a proposed answer, read beside its problem or as a start for another one.
 
 use super::file::{KeyFile, read_keys, text, write_keys};
-use crate::files::{read_json, read_schema};
+use crate::files::{printable, read_json, read_schema};
 use crate::problem::carried::by_keys;
 use crate::problem::contact_problem::finite;
 #[cfg(feature = "fclib")]
@@ -140,7 +140,13 @@ impl Solution {
 
 impl SolutionFile {
     fn read(file: &Path) -> Result<Self> {
-        read_schema(&read_json(file)?, SOLUTION_SCHEMA).map_err(|error| error.in_file(file))
+        let read = |text: &str| -> Result<Self> {
+            let answer: Self = read_schema(text, SOLUTION_SCHEMA)?;
+            printable("solver", &answer.solver)?;
+            printable("problem", answer.problem.as_deref().unwrap_or_default())?;
+            Ok(answer)
+        };
+        read(&read_json(file)?).map_err(|error| error.in_file(file))
     }
 
     /// Refuses an answer to a problem of another name; either may be without one.

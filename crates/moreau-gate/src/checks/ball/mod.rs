@@ -54,7 +54,8 @@ pub const CHECKS: &[Check] = &[
         level: Level::Simulate,
         question: "How deep does the ball get at its impact, and where does it rest?",
         derivation: "An impact is noticed at most one step late, at a depth of (v + g h) h. A trapezoidal update goes on for half a \
-            step, which makes 3/2 (v + g h) h. The ball rests within 3 g h² of the floor. The depth of a compliant law is that of its \
+            step, which makes 3/2 (v + g h) h. The ball rests within 3 g h² of the floor; without restitution no \
+            speed is left to bring it out, and it may rest as deep as its impact went. The depth of a compliant law is that of its \
             replayed discrete map.",
         source: "the activation rules of Moreau–Jean; the engines' documented force laws",
         run: Run::EachStep(settling::penetration),

@@ -77,6 +77,7 @@ pub(super) fn penetration(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> 
     let size = HEIGHT;
     let late = tolerance::depth(ball.impact_speed(1), GRAVITY, h) + tolerance::place(samples.states.len(), size, bench.epsilon());
     let near = tolerance::resting_gap(GRAVITY, h) + tolerance::place(samples.states.len(), size, bench.epsilon());
+    let landed = if bench.description().restitution { 0.0 } else { tolerance::depth(ball.impact_speed(1), GRAVITY, h) };
     let [depth, gap] = match Model::of(bench.description()) {
         Model::Coulomb(limits) => {
             let mass = dropped(HEIGHT, 0.0).bodies[0].mass;
@@ -86,11 +87,11 @@ pub(super) fn penetration(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> 
             let why = "the declared allowance, spring, margin or threshold";
             // A last impact below the threshold ends where it is found, however deep or early, and nothing moves the ball from there.
             let last = limits.slowest_bounce(restitution);
-            let found = if last > 0.0 { tolerance::depth(last, GRAVITY, h) } else { 0.0 };
+            let found = if last > 0.0 { tolerance::depth(last, GRAVITY, h) } else { 0.0 }.max(landed);
             let place = between([low - found, high + found], near, why);
-            [(low < high).then(|| Expectation::at_most(-low, late, why)), (low < high || last > 0.0).then_some(place)]
+            [(low < high).then(|| Expectation::at_most(-low, late, why)), (low < high || found > 0.0).then_some(place)]
         }
-        _ => [None, None],
+        _ => [None, (landed > 0.0).then(|| between([-landed, 0.0], near, "a ball that keeps no speed stays where its impact was found"))],
     };
     let mut measured =
         vec![Measurement::new("greatest depth", "m", deepest, Expectation::at_most(0.0, late, "3/2 (v + g h) h")).predicted(depth)];
