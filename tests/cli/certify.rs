@@ -316,8 +316,8 @@ fn a_continuum_of_velocities_is_told_by_its_two_ends() {
 #[test]
 fn several_velocities_are_counted_by_disjoint_enclosures_and_one_is_not() {
     let folder = Folder::new("certify-several");
-    // seven rods of Painlevé: each lifts off, slides or is jammed, or sticks at once; where they touch each other, however lightly, they are
-    // more contacts than all patterns are tried for
+    // seven rods of Painlevé: each lifts off, slides or is jammed, or sticks at once; where they touch each other, however lightly, they
+    // are more contacts than all patterns are tried for
     let entry = |i: usize, j: usize, joined: f64| match (i / 2).abs_diff(j / 2) {
         0 => [[1.0, 2.0], [2.0, 5.0]][i % 2][j % 2],
         1 if i % 2 + j % 2 == 0 => joined,

@@ -433,6 +433,24 @@ fn an_exact_answer_to_a_nearly_singular_mass_is_accepted() {
     }
 }
 
+#[test]
+fn a_velocity_of_infinite_mass_hides_nothing_of_what_it_never_meets() {
+    // a body on the floor, and two that touch and part by their last digit; another one is driven
+    let rows = Arc::new(Jacobian::from_dense(&dmatrix![1.0, 0.0, 0.0, 0.0; 0.0, 1.0, -1.0, 0.0; 0.0, 0.0, 1.0, 1.0], 1));
+    let free = dvector![-0.05, 1.0, 1.0f64.next_up(), 0.5];
+    for driven in [2.0, f64::INFINITY] {
+        let mass = Arc::new(Inertia::of(Mass::Diagonal(dvector![1.0, 1.0, 1.0, driven])).unwrap());
+        let made = ContactProblem::from_inertia(&mass, &rows, &free).law(Law::Frictionless).rows_per_contact(1).friction(vec![0.0; 3]);
+        let problem = made.build().unwrap();
+        let accepts = |part: f64| {
+            let impulse = dvector![0.05, part * f64::EPSILON, 0.0];
+            let answer = Solution::new("", impulse.clone(), problem.velocity(&impulse), 0);
+            Judge::default().judge(&problem, &answer).unwrap().accepts(CERTIFY)
+        };
+        assert!(accepts(0.5) && !accepts(0.499) && !accepts(0.0), "{driven}");
+    }
+}
+
 enum Way {
     Alone(Box<ContactProblem>),
     Joined(Box<JointedProblem>),

@@ -203,6 +203,14 @@ mod tests {
     }
 
     #[test]
+    fn what_was_rejected_on_the_way_is_kept_where_it_rejects_the_step() {
+        let again = |tolerance: f64| super::super::judged(pushed(false), &Certified::with_tolerance(&WrongAlone, tolerance));
+        assert!(again(1e-8).rejected.is_some());
+        let lenient = again(f64::INFINITY);
+        assert!(lenient.rejected.is_none() && lenient.residual.is_some_and(|residual| residual.is_accepted()));
+    }
+
+    #[test]
     fn impulses_follow_their_contact_and_new_contacts_start_from_zero() {
         let previous =
             [(4, [1.0, 2.0]), (7, [3.0, 4.0])].map(|(contact, impulse)| ContactImpulse { contact, impulse: impulse.into(), place: None });
