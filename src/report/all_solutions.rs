@@ -9,7 +9,7 @@ use crate::certificate::uniqueness::Uniqueness;
 use crate::number::{counted, significant};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::scalar::{Rational, Scalar, exact};
-use crate::tolerance::proof::enlarged;
+use crate::tolerance::proof::{SET_WORK, enlarged, pattern_work};
 use crate::{Error, Result};
 use nalgebra::DVector;
 use schemars::JsonSchema;
@@ -108,7 +108,7 @@ pub(super) struct Enumerated {
     pub undecided: Vec<String>,
     /// One solution, where the enumeration met any.
     pub one: Option<End>,
-    /// Patterns, or the pieces or sets that they were looked at in.
+    /// What that took, in pieces of contacts in space.
     pub work: usize,
 }
 
@@ -123,7 +123,8 @@ impl Enumerated {
             };
         }
         if let Ok(mut all) = solutions(problem) {
-            let (continuum, one, work) = (all.continuum.take().map(ends), all.found.first().map(End::of), all.patterns);
+            let (continuum, one, work) =
+                (all.continuum.take().map(ends), all.found.first().map(End::of), all.patterns * pattern_work(problem.rows()));
             return Enumerated { all: Some(All::planar(all, continuum.is_some())), continuum, one, work, ..Enumerated::default() };
         }
         let Ok(all) = velocities(problem) else { return Enumerated::default() };
@@ -148,7 +149,7 @@ impl Enumerated {
             (count, Some(_)) if count > 1 => ("unknown", "there are several".into()),
             (_, Some(stopped)) => ("unknown", stopped.clone()),
         };
-        let (one, work) = (found.found.first().map(End::of), found.sets);
+        let (one, work) = (found.found.first().map(End::of), found.sets * SET_WORK);
         let (all, several) = match found.stopped.take() {
             None => (Some(All::polyhedral(found, continuum.is_some())), None),
             Some(stopped) => (None, Several::until(rows, &found.found, stopped)),

@@ -9,6 +9,9 @@ use crate::tolerance::proof::PARTS_WORK;
 /// Velocities that are listed, of a product of parts.
 const LISTED: usize = 1000;
 
+/// Why nothing is known of a part that is not tried.
+const LEFT: &str = "the parts before it took as much as is tried of all together";
+
 /// What the enumeration of a problem's solutions shows: of each of its parts, if they share nothing.
 pub(super) fn enumerated(problem: &ContactProblem) -> Enumerated {
     match separate(problem) {
@@ -21,14 +24,18 @@ pub(super) fn enumerated(problem: &ContactProblem) -> Enumerated {
 fn by_parts(problem: &ContactProblem, parts: &[Separate]) -> Enumerated {
     let (mut found, mut work) = (Vec::new(), 0);
     for part in parts {
-        let mut own = if work <= PARTS_WORK { Enumerated::of(&part.problem) } else { Enumerated::default() };
+        let is_tried = work <= PARTS_WORK;
+        let mut own = if is_tried { Enumerated::of(&part.problem) } else { Enumerated::default() };
         work += own.work;
         if own.all.as_ref().is_some_and(|all| all.velocities == 0) {
             own.all = own.all.take().map(|all| All { parts: vec![counted(part, &all)], ..all });
             return own;
         }
         let unique = own.unique.take().unwrap_or_else(|| told(uniqueness(&part.problem)));
-        own.unique = Some(own.or_counted(unique));
+        own.unique = Some(match own.or_counted(unique) {
+            ("unknown", _) if !is_tried => ("unknown", LEFT.into()),
+            known => known,
+        });
         found.push(own);
     }
     let (all, continuum) = (product(problem, parts, &found), together(problem, parts, &found));

@@ -8,7 +8,7 @@
 
 use super::forward::groups;
 use crate::operator::Islands;
-use crate::problem::{ContactProblem, Dynamics};
+use crate::problem::{ContactProblem, Dynamics, Law};
 use crate::tolerance::proof::ROWS;
 use moreau_exact::Result;
 use nalgebra::DMatrix;
@@ -57,11 +57,13 @@ pub fn separate(problem: &ContactProblem) -> Result<Vec<Separate>> {
         return Ok(Vec::new());
     }
     let part = |contacts: Vec<usize>| -> Result<Separate> {
-        let own = problem.island(&together, &contacts);
-        let own = match &touched {
-            None => own,
-            Some((known, touched)) => own.into_builder().dynamics(touched.part(known, problem.rows_per_contact(), &contacts)).build()?,
-        };
+        let mut own = problem.island(&together, &contacts).into_builder();
+        if let Some((known, touched)) = &touched {
+            own = own.dynamics(touched.part(known, problem.rows_per_contact(), &contacts));
+        }
+        let own = own.build()?;
+        // what is proved is the same under every law where nothing rubs
+        let own = if own.is_frictionless() { own.into_builder().law(Law::Frictionless).build()? } else { own };
         Ok(Separate { contacts, problem: own })
     };
     islands.into_iter().map(part).collect()
@@ -101,7 +103,6 @@ impl Touched {
 mod tests {
     use super::*;
     use crate::certificate::patterns::solutions;
-    use crate::problem::Law;
     use nalgebra::{DVector, dmatrix, dvector};
 
     fn contacts(parts: &[Separate]) -> Vec<&[usize]> {
@@ -159,6 +160,14 @@ mod tests {
             solutions(&whole).unwrap().found.iter().map(|one| one.velocity.map(|u| moreau_exact::scalar::Scalar::to_f64(&u))).collect();
         assert_eq!(found.len(), at_once.len());
         assert!(at_once.iter().all(|one| found.contains(one)), "{found:?} {at_once:?}");
+    }
+
+    #[test]
+    fn a_part_without_friction_is_one_of_the_law_without() {
+        let problem =
+            ContactProblem::new(DMatrix::identity(6, 6), DVector::from_element(6, -1.0)).friction(vec![0.0, 0.5]).build().unwrap();
+        let laws: Vec<Law> = separate(&problem).unwrap().iter().map(|part| part.problem.law()).collect();
+        assert_eq!(laws, [Law::Frictionless, Law::Coulomb]);
     }
 
     #[test]
