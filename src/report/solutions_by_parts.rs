@@ -15,16 +15,16 @@ const LEFT: &str = "the parts before it took as much as is tried of all together
 /// What the enumeration of a problem's solutions shows: of each of its parts, if they share nothing.
 pub(super) fn enumerated(problem: &ContactProblem) -> Enumerated {
     match separate(problem) {
-        Ok(parts) if !parts.is_empty() => by_parts(problem, &parts),
+        Ok(parts) if !parts.is_empty() => by_parts(problem, &parts, PARTS_WORK),
         _ => Enumerated::of(problem),
     }
 }
 
-/// What the enumeration of each part shows of the whole.
-fn by_parts(problem: &ContactProblem, parts: &[Separate]) -> Enumerated {
+/// What the enumeration of each part shows of the whole; once they took more than `most`, no further part is tried.
+fn by_parts(problem: &ContactProblem, parts: &[Separate], most: usize) -> Enumerated {
     let (mut found, mut work) = (Vec::new(), 0);
     for part in parts {
-        let is_tried = work <= PARTS_WORK;
+        let is_tried = work <= most;
         let mut own = if is_tried { Enumerated::of(&part.problem) } else { Enumerated::default() };
         work += own.work;
         if own.all.as_ref().is_some_and(|all| all.velocities == 0) {
@@ -166,6 +166,23 @@ mod tests {
         // where nothing pushes along, both are proved without patterns
         let blocks = ContactProblem::new(DMatrix::identity(24, 24), DVector::from_element(24, -1.0)).friction(vec![0.5; 8]).build();
         assert_eq!(unique(&blocks.expect("sizes fit")).0, "solution");
+    }
+
+    #[test]
+    fn a_part_that_is_not_tried_is_named_and_nothing_is_counted() {
+        let problem = rods(&[1.0; 3], 2);
+        let parts = parts_of(&problem);
+        let left = by_parts(&problem, &parts, 0);
+        let (what, why) = left.unique.as_ref().expect("it is told");
+        assert!(left.all.is_none() && left.is_open() && *what == "unknown" && why.starts_with("of contact 0: "), "{what} {why}");
+        let blocks = rods(&[-1.0; 3], 2);
+        let (what, why) = by_parts(&blocks, &parts_of(&blocks), 0).unique.expect("it is told");
+        assert!(what == "unknown" && why.contains("contact 1: the parts before it took"), "{what} {why}");
+        assert!(by_parts(&problem, &parts, PARTS_WORK).all.is_some_and(|all| all.velocities == 27));
+    }
+
+    fn parts_of(problem: &ContactProblem) -> Vec<Separate> {
+        separate(problem).expect("sizes fit")
     }
 
     #[test]
