@@ -5,6 +5,7 @@ mod bench;
 mod certify;
 mod compare;
 mod convert;
+mod counted;
 mod explorer;
 mod folders;
 mod gate;
