@@ -64,6 +64,9 @@ pub(super) fn zeno(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     Ok(vec![Measurement::new("time until the ball rests", "s", found, interval(early)).predicted(model)])
 }
 
+/// Why a ball of an engine without restitution may rest in depth.
+const STAYS: &str = "without restitution it stays where its impact was found";
+
 /// `ball/penetration`.
 pub(super) fn penetration(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     if bench.description().contact_model.kind == Kind::Compliant {
@@ -87,11 +90,12 @@ pub(super) fn penetration(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> 
             let why = "the declared allowance, spring, margin or threshold";
             // A last impact below the threshold ends where it is found, however deep or early, and nothing moves the ball from there.
             let last = limits.slowest_bounce(restitution);
-            let found = if last > 0.0 { tolerance::depth(last, GRAVITY, h) } else { 0.0 }.max(landed);
-            let place = between([low - found, high + found], near, why);
-            [(low < high).then(|| Expectation::at_most(-low, late, why)), (low < high || found > 0.0).then_some(place)]
+            let found = if last > 0.0 { tolerance::depth(last, GRAVITY, h) } else { 0.0 };
+            let deep = found.max(landed);
+            let place = between([low - deep, high + found], near, if low < high || found > 0.0 { why } else { STAYS });
+            [(low < high).then(|| Expectation::at_most(-low, late, why)), (low < high || deep > 0.0).then_some(place)]
         }
-        _ => [None, (landed > 0.0).then(|| between([-landed, 0.0], near, "a ball that keeps no speed stays where its impact was found"))],
+        _ => [None, (landed > 0.0).then(|| between([-landed, 0.0], near, STAYS))],
     };
     let mut measured =
         vec![Measurement::new("greatest depth", "m", deepest, Expectation::at_most(0.0, late, "3/2 (v + g h) h")).predicted(depth)];
