@@ -20,6 +20,7 @@ pub mod moreau_jean;
 pub mod moreau_jean_projection;
 mod nearby;
 pub mod position_based;
+mod projection;
 pub mod runge_kutta_flip;
 pub mod schatzman_paoli;
 mod scheme;

@@ -17,18 +17,15 @@
 //! The total energy has no theorem: the projection moves bodies along the force or against it (`moreau::checks::energy_balance`).
 
 use super::assembly::{self, normal_only};
+use super::projection::{is_held, project};
 use super::{Certified, Inertia, Scheme, StepContext, StepProblem, Waist, passes_the_waist};
-use crate::least_squares::least_squares;
 use crate::mechanics::Mechanism;
-use crate::tolerance::schemes::{dependent_normals, projected};
 use moreau_contact::certificate::StepResidual;
-use moreau_contact::contact::{BodyRows, Components, Contact, Identity, Jacobian, Rows, pairs};
-use moreau_contact::memory;
-use moreau_contact::operator::islands_of;
+use moreau_contact::contact::{Components, Contact, Identity, pairs};
 use moreau_contact::problem::{ContactProblem, Law};
 use moreau_contact::solvers::{Auto, ContactSolver, LemkePivoting};
-use moreau_exact::{Error, Result};
-use nalgebra::{DMatrix, DVector};
+use moreau_exact::Result;
+use nalgebra::DVector;
 use std::sync::Arc;
 
 /// Moreau–Jean with combined projection.
@@ -42,11 +39,6 @@ pub struct MoreauJeanProjection {
     pub theta: f64,
 }
 
-/// Whether the contact with this index is one of those held.
-fn is_held(index: usize, contact: &Contact, held: &[Identity]) -> bool {
-    held.iter().any(|one| one.is_same(&Identity::of(index, contact)))
-}
-
 /// The contacts of the next problem: those of `contacts` that are closed or held already, and those held before that are no candidates any
 /// more, as they were.
 fn joined(contacts: Vec<Contact>, held: Vec<(Identity, Contact)>) -> Vec<(Identity, Contact)> {
@@ -56,53 +48,6 @@ fn joined(contacts: Vec<Contact>, held: Vec<(Identity, Contact)>) -> Vec<(Identi
     let gone: Vec<_> = held.into_iter().filter(|(key, _)| !next.iter().any(|(one, _)| one.is_same(key))).collect();
     next.extend(gone);
     next
-}
-
-/// Iterations of the projection: Newton's method on gaps that are closed to O(h²) needs some five.
-const ITERATIONS: usize = 50;
-
-/// Matrices that singular values take: what is given, and two of vectors.
-const FACTORS: u128 = 3;
-
-/// q moved onto φ = 0 of the contacts held; where they contradict each other, to the least squares of their gaps. A contact that is no
-/// candidate any more has no gap to close.
-fn project(mechanism: &dyn Mechanism, mut position: DVector<f64>, held: &[Identity]) -> Result<DVector<f64>> {
-    for _ in 0..ITERATIONS {
-        let contacts = mechanism.contacts(&position);
-        let own: Vec<&Contact> =
-            contacts.iter().enumerate().filter(|(k, contact)| is_held(*k, contact, held)).map(|(_, one)| one).collect();
-        let normal = |contact: &&Contact| contact.jacobian.combined(&[&[1.0, 0.0, 0.0][..contact.jacobian.nrows()]]);
-        let normals = Jacobian::new(1, mechanism.degrees_of_freedom(), own.iter().map(normal).collect());
-        let gaps: Vec<f64> = own.iter().map(|contact| contact.gap).collect();
-        let correction = -normals.tr_mul(&shares(&normals, &gaps)?);
-        if correction.amax() <= projected(position.amax()) {
-            return Ok(position);
-        }
-        position = mechanism.integrate(&position, &correction, 1.0);
-    }
-    Err(Error::limit("projection", format!("the contacts were not closed in {ITERATIONS} iterations; use a smaller step")))
-}
-
-/// (H_n H_nᵀ)⁺ φ, island by island: normals that touch no common velocity, not even through others, have no product.
-fn shares(normals: &Jacobian, gaps: &[f64]) -> Result<DVector<f64>> {
-    let mut shares = DVector::zeros(gaps.len());
-    for members in islands_of(normals) {
-        let count = members.len();
-        memory::require("projecting contacts that are joined by bodies", FACTORS * memory::matrix(count, count))?;
-        let entry = |i: usize, j: usize| product(&normals.contacts()[members[i]], &normals.contacts()[members[j]]);
-        let metric = DMatrix::from_fn(count, count, entry);
-        let own = DVector::from_iterator(count, members.iter().map(|k| gaps[*k]));
-        let negligible = dependent_normals(metric.amax(), count);
-        let found = least_squares("projection", metric, &own, |_| negligible)?;
-        members.iter().zip(&found).for_each(|(k, share)| shares[*k] = *share);
-    }
-    Ok(shares)
-}
-
-/// The product of two rows.
-fn product(one: &Rows, other: &Rows) -> f64 {
-    let product = |part: BodyRows<'_>| (0..part.width).map(|axis| part.entries[axis] * other[(0, part.first + axis)]).sum::<f64>();
-    one.parts().map(product).sum()
 }
 
 impl MoreauJeanProjection {
@@ -268,38 +213,6 @@ mod tests {
         let gone = [Identity { index: 0, place: None }, Identity { index: 7, place: None }];
         assert_eq!(project(&ball, dvector![0.3], &gone[1..]).expect("nothing to close"), dvector![0.3]);
         assert_eq!(project(&ball, dvector![0.3], &gone).expect("one to close"), dvector![0.0]);
-    }
-
-    /// Contacts at bodies in space: two islands of three bodies, one with its contacts twice, and a body that meets the ground alone.
-    fn normals() -> Jacobian {
-        let part = |seed: usize| [std::array::from_fn::<f64, 6, _>(|axis| (((7 * seed + axis) * 7919 + 13) % 101) as f64 / 37.0 - 1.0)];
-        let row = |(one, other): (usize, Option<usize>)| {
-            let rows = Rows::zeros(1, 42).with(6 * one, part(one + 11));
-            other.map_or(rows.clone(), |other| rows.with(6 * other, part(3 * one + other)))
-        };
-        let pairs = [(1, Some(0)), (3, None), (2, Some(1)), (5, Some(6)), (1, Some(0)), (4, Some(5)), (0, None), (2, Some(1)), (6, None)];
-        Jacobian::new(1, 42, pairs.map(row).into())
-    }
-
-    #[test]
-    fn islands_share_their_gaps_as_one_dense_matrix_does() {
-        let (normals, gaps) = (normals(), [0.1, -0.2, 0.3, -0.4, 0.15, 0.6, -0.7, 0.2, 0.9]);
-        assert_eq!(islands_of(&normals), [vec![0, 2, 4, 6, 7], vec![3, 5, 8], vec![1]]);
-        let dense = normals.to_dense();
-        let metric = &dense * dense.transpose();
-        let singular = metric.clone().symmetric_eigen().eigenvalues;
-        let smallest = singular.iter().copied().filter(|value| *value > 1e-9).fold(f64::INFINITY, f64::min);
-        assert!(singular.iter().filter(|value| **value <= 1e-9).count() == 2, "two contacts stand twice: {singular}");
-        let expected = metric.pseudo_inverse(1e-9).expect("not negative") * DVector::from_row_slice(&gaps);
-        let found = shares(&normals, &gaps).expect("finite");
-        assert!((&found - &expected).amax() <= rounding(64, expected.amax() * singular.amax() / smallest), "{found} {expected}");
-    }
-
-    #[test]
-    fn a_long_lever_elsewhere_does_not_make_a_normal_dependent() {
-        let lever = Rows::zeros(1, 12).with(0, [[0.0, 0.0, 1.0, 1e9, 0.0, 0.0]]);
-        let normals = Jacobian::new(1, 12, vec![lever, Rows::zeros(1, 12).with(6, [[0.0, 0.0, 1.0, 0.0, 0.0, 0.0]])]);
-        assert_eq!(shares(&normals, &[0.0, 0.25]).expect("finite")[1], 0.25);
     }
 
     /// Three bricks over each other, turned and spinning, which collide with e = 0.8: `rand7`.

@@ -2,15 +2,6 @@
 
 use moreau_exact::tolerance::rounding;
 
-/// Singular values of H_n H_nᵀ below which normals of an island of so many contacts are linearly dependent. Every entry is a sum of at most
-/// twelve products, of two bodies' velocities, whose factors are rounded some times: it is off by less than 64 ε of the largest entry, and
-/// a matrix of n rows with such entries has no singular value above n times that. Islands share no velocity: the entries of one say
-/// nothing of how the entries of another were rounded.
-/// Derived.
-pub fn dependent_normals(largest: f64, contacts: usize) -> f64 {
-    rounding(32 * contacts, largest)
-}
-
 /// How far M̂ of size `size` with n rows may be from symmetric by rounding: two products and a factorisation.
 /// Derived.
 pub fn asymmetry(size: f64, rows: usize) -> f64 {
@@ -22,6 +13,11 @@ pub fn asymmetry(size: f64, rows: usize) -> f64 {
 pub fn projected(size: f64) -> f64 {
     rounding(8, size)
 }
+
+/// Part 2⁻⁴⁰ of the first slope H_nᵀ φ that a least move may leave. The move is one step of Newton's method on gaps, which leaves their
+/// curvature, far more than that; what it leaves is in the gaps of the next step, and only a step below [`projected`] ends.
+/// Set.
+pub const SOLVED_MOVE: f64 = 1.0 / 1_099_511_627_776.0;
 
 /// Rounding of one Moreau–Jean step of a ball: v⁺ = v − (m g/m) h + r/m with r = −m (v_free + e v) passes through
 /// fewer than eight operations on numbers of at most |v| + g h + e|v|.

@@ -1,0 +1,160 @@
+//! A position moved onto the contacts that a step holds.
+//!
+//! ```text
+//!     q⁺ ← q⁺ + d ,    d = −H_nᵀ (H_n H_nᵀ)⁺ φ(q⁺)    until d is rounding
+//! ```
+//! d is the least of the moves that leave the least squares of the gaps φ, found island by island: normals that touch no common velocity,
+//! not even through others, have no product. No matrix of an island is made: conjugate gradients on the least squares ask for products with
+//! H_n and H_nᵀ, and each of their iterates lies in the range of H_nᵀ, so that their limit is the least move also where normals are dependent.
+//!
+//! # Source
+//! Björck, *Numerical Methods for Least Squares Problems*, SIAM 1996, algorithm 7.4.1.
+
+use crate::mechanics::Mechanism;
+use crate::tolerance::schemes::{SOLVED_MOVE, projected};
+use moreau_contact::contact::{BodyRows, Contact, Identity, Jacobian, Rows};
+use moreau_contact::operator::islands_of;
+use moreau_exact::{Error, Result};
+use nalgebra::DVector;
+
+/// Iterations of the projection: Newton's method on gaps that are closed to O(h²) needs some five.
+const ITERATIONS: usize = 50;
+
+/// Products with H_n and H_nᵀ for each normal of an island. Without rounding there are as many as normals; where that does not suffice,
+/// the next iteration of the projection goes on from what was reached.
+const PRODUCTS: usize = 4;
+
+/// Whether the contact with this index is one of those held.
+pub(super) fn is_held(index: usize, contact: &Contact, held: &[Identity]) -> bool {
+    held.iter().any(|one| one.is_same(&Identity::of(index, contact)))
+}
+
+/// q moved onto φ = 0 of the contacts held; where they contradict each other, to the least squares of their gaps. A contact that is no
+/// candidate any more has no gap to close.
+///
+/// # Errors
+/// [`Error::Solver`] if a row or gap is not finite, or the contacts are not closed.
+pub(super) fn project(mechanism: &dyn Mechanism, mut position: DVector<f64>, held: &[Identity]) -> Result<DVector<f64>> {
+    for _ in 0..ITERATIONS {
+        let contacts = mechanism.contacts(&position);
+        let own: Vec<&Contact> =
+            contacts.iter().enumerate().filter(|(k, contact)| is_held(*k, contact, held)).map(|(_, one)| one).collect();
+        let normal = |contact: &&Contact| contact.jacobian.combined(&[&[1.0, 0.0, 0.0][..contact.jacobian.nrows()]]);
+        let normals = Jacobian::new(1, mechanism.degrees_of_freedom(), own.iter().map(normal).collect());
+        let gaps: Vec<f64> = own.iter().map(|contact| contact.gap).collect();
+        let correction = -least_move(&normals, &gaps)?;
+        if correction.amax() <= projected(position.amax()) {
+            return Ok(position);
+        }
+        position = mechanism.integrate(&position, &correction, 1.0);
+    }
+    Err(Error::limit("projection", format!("the contacts were not closed in {ITERATIONS} iterations; use a smaller step")))
+}
+
+/// H_n⁺ φ, the least d with the least ‖H_n d − φ‖, island by island.
+fn least_move(normals: &Jacobian, gaps: &[f64]) -> Result<DVector<f64>> {
+    let mut least = DVector::zeros(normals.ncols());
+    for members in islands_of(normals) {
+        let own = members.iter().map(|k| gaps[*k]).collect();
+        let island = Island::of(members.iter().map(|k| &normals.contacts()[*k]));
+        island.velocities.iter().zip(&island.least_move(own)?).for_each(|(velocity, moved)| least[*velocity] = *moved);
+    }
+    Ok(least)
+}
+
+/// The normals of an island over the velocities that they touch.
+struct Island {
+    /// Which velocities, growing.
+    velocities: Vec<usize>,
+    /// Of every normal, places among these velocities and the entries there.
+    normals: Vec<Vec<(usize, f64)>>,
+}
+
+impl Island {
+    fn of<'a>(rows: impl Iterator<Item = &'a Rows> + Clone) -> Self {
+        let mut velocities: Vec<usize> = rows.clone().flat_map(Rows::parts).flat_map(|part| part.first..part.first + part.width).collect();
+        velocities.sort_unstable();
+        velocities.dedup();
+        let entry = |part: BodyRows<'_>, axis: usize| (velocities.partition_point(|one| *one < part.first + axis), part.entries[axis]);
+        let entries = |part: BodyRows<'_>| (0..part.width).map(|axis| entry(part, axis)).collect::<Vec<_>>();
+        let normals = rows.map(|row| row.parts().flat_map(entries).collect()).collect();
+        Island { velocities, normals }
+    }
+
+    /// H_n d.
+    fn product(&self, moved: &DVector<f64>) -> DVector<f64> {
+        let along = |normal: &Vec<(usize, f64)>| normal.iter().map(|(place, entry)| entry * moved[*place]).sum();
+        DVector::from_iterator(self.normals.len(), self.normals.iter().map(along))
+    }
+
+    /// H_nᵀ φ.
+    fn slope(&self, gaps: &DVector<f64>) -> DVector<f64> {
+        let mut slope = DVector::zeros(self.velocities.len());
+        for (normal, gap) in self.normals.iter().zip(gaps) {
+            normal.iter().for_each(|(place, entry)| slope[*place] += entry * gap);
+        }
+        slope
+    }
+
+    /// H_n⁺ φ by conjugate gradients.
+    fn least_move(&self, gaps: Vec<f64>) -> Result<DVector<f64>> {
+        let (mut left, mut least) = (DVector::from_vec(gaps), DVector::zeros(self.velocities.len()));
+        let mut slope = self.slope(&left);
+        let (mut direction, mut size) = (slope.clone(), slope.norm_squared());
+        let enough = size * SOLVED_MOVE.powi(2);
+        for _ in 0..PRODUCTS * self.normals.len() {
+            if size <= enough {
+                break;
+            }
+            let change = self.product(&direction);
+            let step = size / change.norm_squared();
+            if !step.is_finite() {
+                return Err(Error::breakdown("projection", "a contact's row or gap is not finite; use a smaller step"));
+            }
+            least.axpy(step, &direction, 1.0);
+            left.axpy(-step, &change, 1.0);
+            slope = self.slope(&left);
+            let before = std::mem::replace(&mut size, slope.norm_squared());
+            direction = &slope + direction * (size / before);
+        }
+        Ok(least)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use moreau_exact::tolerance::rounding;
+
+    /// Contacts at bodies in space: two islands of three bodies, one with its contacts twice, and a body that meets the ground alone.
+    fn normals() -> Jacobian {
+        let part = |seed: usize| [std::array::from_fn::<f64, 6, _>(|axis| (((7 * seed + axis) * 7919 + 13) % 101) as f64 / 37.0 - 1.0)];
+        let row = |(one, other): (usize, Option<usize>)| {
+            let rows = Rows::zeros(1, 42).with(6 * one, part(one + 11));
+            other.map_or(rows.clone(), |other| rows.with(6 * other, part(3 * one + other)))
+        };
+        let pairs = [(1, Some(0)), (3, None), (2, Some(1)), (5, Some(6)), (1, Some(0)), (4, Some(5)), (0, None), (2, Some(1)), (6, None)];
+        Jacobian::new(1, 42, pairs.map(row).into())
+    }
+
+    #[test]
+    fn islands_move_as_one_dense_matrix_says() {
+        let (normals, gaps) = (normals(), [0.1, -0.2, 0.3, -0.4, 0.15, 0.6, -0.7, 0.2, 0.9]);
+        assert_eq!(islands_of(&normals), [vec![0, 2, 4, 6, 7], vec![3, 5, 8], vec![1]]);
+        let dense = normals.to_dense();
+        let metric = &dense * dense.transpose();
+        let singular = metric.clone().symmetric_eigen().eigenvalues;
+        let smallest = singular.iter().copied().filter(|value| *value > 1e-9).fold(f64::INFINITY, f64::min);
+        assert!(singular.iter().filter(|value| **value <= 1e-9).count() == 2, "two contacts stand twice: {singular}");
+        let expected = dense.transpose() * metric.pseudo_inverse(1e-9).expect("not negative") * DVector::from_row_slice(&gaps);
+        let found = least_move(&normals, &gaps).expect("finite");
+        assert!((&found - &expected).amax() <= rounding(64, expected.amax() * singular.amax() / smallest), "{found} {expected}");
+    }
+
+    #[test]
+    fn a_long_lever_elsewhere_does_not_make_a_normal_dependent() {
+        let lever = Rows::zeros(1, 12).with(0, [[0.0, 0.0, 1.0, 1e9, 0.0, 0.0]]);
+        let normals = Jacobian::new(1, 12, vec![lever, Rows::zeros(1, 12).with(6, [[0.0, 0.0, 1.0, 0.0, 0.0, 0.0]])]);
+        assert_eq!(least_move(&normals, &[0.0, 0.25]).expect("finite")[8], 0.25);
+    }
+}
