@@ -13,6 +13,7 @@ use super::scheme_options::SchemeOptions;
 use super::solver_table::{self, check_name};
 use super::{Answer, Format, time_limit};
 use crate::files::write_together;
+use crate::number::counted;
 use crate::report::deepest;
 use crate::report::json::pretty;
 use crate::report::motion::MotionReport;
@@ -98,7 +99,8 @@ Examples:
   moreau simulate --scene box-stack --dump-step 40 step40.json
 
 Exit code 1: the certificate rejects a step, a step has no answer, as where the solver does not take the
-problems of the scheme, or the time limit ended the motion; --accept-rejected makes the first a warning.";
+problems of the scheme, or the time limit ended the motion; --accept-rejected makes the first a warning.
+Of a motion that ends before its time the steps that were made are written, and the file says where and why.";
 
 /// Who solves where nobody is named.
 const DEFAULT_SOLVER: &str = "auto";
@@ -149,12 +151,18 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
     let mut recording = Recording::new(mechanism.name(), scheme.name(), arguments.step, staged.start);
     let simulated = || schemes::record_certified(scheme.as_ref(), &certified, mechanism, &mut recording, steps, observe);
     let (ended, seen) = time_limit::within(arguments.time_limit, |over| progress::shown(&bar, || watched(over, simulated)));
-    let cut = match ended {
-        Err(_) if seen.interrupted => {
-            Some(Cut { step: recording.impulses.len() + 1, of: steps, time: recording.last().time - recording.samples[0].time })
-        }
-        ended => ended.map(|()| None).map_err(|error| in_scene(error, name))?,
-    };
+    let cut = ended.as_ref().err().map(|error| Cut {
+        step: recording.impulses.len() + 1,
+        of: steps,
+        time: recording.last().time - recording.samples[0].time,
+        cause: (!seen.interrupted).then(|| error.to_string()),
+    });
+    let failed = ended.err().filter(|_| !seen.interrupted).map(|error| in_scene(error, name));
+    if recording.impulses.is_empty()
+        && let Some(error) = failed
+    {
+        return Err(error);
+    }
     if arguments.solver.is_some() && touched && !solver.was_asked() {
         let problem = format!("does nothing in {}, which has an iteration of its own", arguments.scheme);
         return Err(Error::invalid("--solver", problem, "leave it out, or choose a scheme that poses contact problems"));
@@ -171,10 +179,16 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
         quantities: motion.summary(),
         remarks: ends.into_iter().chain(scene.iter().filter_map(|scene| deepest::remark(&recording, mechanism, scene))).collect(),
         steps: StepSummary::of(&recording, mechanism),
-        reproducible: cut.is_none(),
+        reproducible: cut.as_ref().is_none_or(|cut| cut.cause.is_some()),
         cut,
     };
     write(arguments, &motion, scene.as_ref(), &summary)?;
+    if let Some(error) = failed {
+        if arguments.out.is_some() || arguments.plot.is_some() || arguments.html.is_some() {
+            print_aside(&format!("{} made before are written\n", counted(recording.impulses.len(), "step")));
+        }
+        return Err(error);
+    }
     print(&match arguments.common.format {
         Format::Text => summary.text(style()),
         Format::Json => pretty(&summary)?,
@@ -183,7 +197,7 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
         summary.remarks.iter().for_each(|remark| print_aside(&format!("remark: {remark}\n")));
     }
     let judged = arguments.certificate.answer(summary.steps.rejected > 0);
-    let Some(Cut { step, .. }) = cut else { return Ok(judged) };
+    let Some(Cut { step, .. }) = summary.cut else { return Ok(judged) };
     print_aside(&format!("the time limit ended the motion in step {step}: exit code 1\n"));
     if let Some(wanted) = dumps.missing() {
         print_aside(&format!("--dump-step {wanted} wrote nothing: the motion was ended before\n"));
@@ -200,8 +214,8 @@ fn write(arguments: &Arguments, motion: &MotionReport, scene: Option<&Scene>, su
     }
     if let (Some(file), Some(scene)) = (&arguments.out, scene) {
         let mut engine = Producer::ours(&motion.recording.scheme, summary.solver);
-        if let Some(cut) = summary.cut {
-            engine.options.extend([("reproducible".into(), false.into()), ("cut".into(), serde_json::to_value(cut)?)]);
+        if let Some(cut) = &summary.cut {
+            engine.options.extend([("reproducible".into(), summary.reproducible.into()), ("cut".into(), serde_json::to_value(cut)?)]);
         }
         files.push((file, Trajectory::from_recording(motion.recording, motion.mechanism, scene, engine)?.to_json()?));
     }

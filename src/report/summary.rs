@@ -33,13 +33,13 @@ pub struct MotionSummary<'a> {
     pub steps: StepSummary,
     /// Whether the same command makes the same steps again.
     pub reproducible: bool,
-    /// The step in which the time limit ended the motion; absent where it did not.
+    /// The step in which the motion ended before its time; absent where it did not.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cut: Option<Cut>,
 }
 
-/// Where the time limit ended a motion.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+/// Where a motion ended before its time: by the time limit, or because a step could not be made.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Cut {
     /// The step that was being made, from 1; it is not kept, and those before it are.
     pub step: usize,
@@ -47,14 +47,20 @@ pub struct Cut {
     pub of: usize,
     /// The simulated time at which that step begins \[s\].
     pub time: f64,
+    /// Why that step could not be made; absent where the time limit ended it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cause: Option<String>,
 }
 
 impl Cut {
     /// For reading, in one sentence.
     pub fn text(&self) -> String {
-        let Cut { step, of, time } = self;
-        let time = with_unit(&significant(*time), "s");
-        format!("ended by the time limit in step {step} of {of}, at t = {time}: that step is left out, and another run need not end there")
+        let Cut { step, of, time, cause } = self;
+        let place = format!("in step {step} of {of}, at t = {}", with_unit(&significant(*time), "s"));
+        match cause {
+            Some(cause) => format!("ended {place}, which could not be made: {cause}"),
+            None => format!("ended by the time limit {place}: that step is left out, and another run need not end there"),
+        }
     }
 }
 

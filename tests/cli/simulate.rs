@@ -281,6 +281,39 @@ fn a_motion_that_the_time_limit_ends_keeps_its_steps_and_says_where_it_ended() {
 }
 
 #[test]
+fn a_motion_of_which_a_step_cannot_be_made_keeps_those_before() {
+    let folder = Folder::new("simulate-broken");
+    let [scene, out, page, picture] = ["scene.json", "out.json", "page.html", "picture.svg"].map(|name| folder.path(name));
+    // ½ v² is above the largest double from 1.9e154 m/s: after some 180 steps of 1e152 m/s each
+    let thrown = r#"{"schema": "scene/1", "name": "thrown", "duration": 300, "gravity": [0, 0, 1e152], "ground": {"normal": [0, 0, 1],
+        "offset": 0}, "bodies": [{"name": "ball", "mass": 1, "sphere": {"radius": 1}, "position": [0, 0, 2]}]}"#;
+    std::fs::write(&scene, thrown).expect("writes");
+    let asked = ["simulate", "--scene", &scene, "--step", "1"];
+    let run = moreau(&[&asked[..], &["--out", &out, "--html", &page, "--plot", &picture]].concat());
+    assert_eq!(run.code, 1, "{}", run.message);
+    let written: Value = serde_json::from_str(&std::fs::read_to_string(&out).expect("written")).expect("JSON");
+    let (made, cut) = (written["times"].as_array().expect("a list").len() as u64, &written["engine"]["options"]["cut"]);
+    assert!((150..=200).contains(&made) && cut["step"] == made && cut["of"] == 300, "{made} {cut}");
+    assert_eq!(written["engine"]["options"]["reproducible"], true);
+    let cause = cut["cause"].as_str().expect("told");
+    assert!(
+        run.message.contains(&format!("{} steps made before are written", made - 1)) && run.message.contains("finite"),
+        "{}",
+        run.message
+    );
+    let shown = std::fs::read_to_string(&page).expect("written");
+    assert!(shown.contains(&format!("in step {made} of 300")) && cause.contains("finite"), "{cause}");
+    assert_eq!(folder.names(), ["out.json", "page.html", "picture.svg", "scene.json"]);
+    // as JSON the failure is what is printed, as before
+    let run = moreau(&[&asked[..], &["--format", "json"]].concat());
+    assert!(run.code == 1 && run.json().get("steps").is_none() && !run.message.contains("are written"), "{}", run.output);
+    // where the first step cannot be made there is nothing to keep
+    std::fs::write(&scene, thrown.replace("1e152", "1e156")).expect("writes");
+    std::fs::remove_file(&out).expect("there");
+    assert!(moreau(&[&asked[..], &["--out", &out]].concat()).code != 0 && !std::path::Path::new(&out).exists());
+}
+
+#[test]
 fn a_time_step_may_be_a_fraction() {
     let run = |step: &str| moreau(&["simulate", "--scene", "ball-drop", "--step", step, "--format", "json"]);
     assert_eq!(run("1/250").output, run("0.004").output);

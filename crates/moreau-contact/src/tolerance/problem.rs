@@ -25,3 +25,7 @@ pub const LARGEST: f64 = 1e100;
 /// Contacts up to which W of contacts that nearly all meet is stored: what is dense costs less there than what acts through bodies.
 /// Set.
 pub const STORED_CONTACTS: usize = 240;
+
+/// Numbers that an entry with its place takes in a file: a matrix of more rows than [`DENSE_ROWS`] with fewer entries is written by them.
+/// Derived.
+pub const NUMBERS_OF_AN_ENTRY: usize = 3;

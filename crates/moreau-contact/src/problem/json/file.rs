@@ -284,12 +284,13 @@ pub(super) fn read_operator(
     }
 }
 
-/// M̂ and H row by row, if W follows from them bit for bit.
+/// M̂ and H as they are shorter, if W follows from them bit for bit. Where both by their entries would make W by blocks, H is row by row.
 pub(super) fn written(dynamics: Option<&Dynamics>, w: &DMatrix<f64>) -> [Option<MatrixFile>; 2] {
     let follows = |dynamics: &&Dynamics| delassus(&dynamics.mass, &dynamics.jacobian).is_ok_and(|found| found == *w);
-    dynamics
-        .filter(follows)
-        .map_or([None, None], |Dynamics { mass, jacobian }| [mass, jacobian].map(|matrix| Some(MatrixFile::dense(matrix))))
+    dynamics.filter(follows).map_or([None, None], |Dynamics { mass, jacobian }| {
+        let rows = if jacobian.nrows() > DENSE_ROWS { MatrixFile::dense(jacobian) } else { MatrixFile::shorter(jacobian) };
+        [MatrixFile::shorter(mass), rows].map(Some)
+    })
 }
 
 /// R of soft contacts.

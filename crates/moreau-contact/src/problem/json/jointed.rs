@@ -71,7 +71,7 @@ impl JointedProblem {
             friction: self.friction().to_vec(),
             free_velocity: list(self.free_velocity()),
             shift: Some(list(self.shifts())),
-            delassus: mass.is_none().then(|| MatrixFile::dense(self.delassus())),
+            delassus: mass.is_none().then(|| MatrixFile::shorter(self.delassus())),
             mass,
             jacobian,
             compliance: soft.then(|| ComplianceFile { coordinates: "contact".into(), diagonal: list(self.softnesses()) }),

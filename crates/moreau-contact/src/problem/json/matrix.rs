@@ -3,7 +3,7 @@
 
 use super::sparse_rows::SparseRows;
 use crate::operator::{BlockSparse, Operator, Sparse};
-use crate::tolerance::problem::DENSE_ENTRIES;
+use crate::tolerance::problem::{DENSE_ENTRIES, DENSE_ROWS, NUMBERS_OF_AN_ENTRY};
 use moreau_exact::number::counted;
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
@@ -131,6 +131,17 @@ impl MatrixFile {
         MatrixFile { rows: Some(rows), ..MatrixFile::empty([matrix.nrows(), matrix.ncols()]) }
     }
 
+    /// Entry by entry where that is shorter, for few entries of a large matrix are not zero; row by row otherwise.
+    pub(super) fn shorter(matrix: &DMatrix<f64>) -> Self {
+        // −0 is an entry, too
+        let places = || matrix.row_iter().enumerate().flat_map(|(i, row)| (0..row.len()).map(move |j| (i, j)));
+        let given = || places().filter(|place| matrix[*place].to_bits() != 0);
+        if matrix.len() <= DENSE_ROWS * DENSE_ROWS || NUMBERS_OF_AN_ENTRY * given().count() >= matrix.len() {
+            return Self::dense(matrix);
+        }
+        Self::sparse(Sparse { shape: [matrix.nrows(), matrix.ncols()], entries: given().map(|(i, j)| (i, j, matrix[(i, j)])).collect() })
+    }
+
     /// Entry by entry.
     pub(super) fn sparse(Sparse { shape, entries }: Sparse) -> Self {
         let (places, value): (Vec<_>, Vec<_>) = entries.into_iter().map(|(i, j, value)| ((i, j), value)).unzip();
@@ -140,7 +151,7 @@ impl MatrixFile {
 
     /// W as it is stored.
     pub(super) fn operator(operator: &Operator) -> Self {
-        let Some(blocks) = operator.blocks() else { return Self::dense(operator.dense()) };
+        let Some(blocks) = operator.blocks() else { return Self::shorter(operator.dense()) };
         let mut file = BlocksFile { row: Vec::new(), column: Vec::new(), value: Vec::with_capacity(blocks.entries().len()) };
         let d = blocks.rows_per_contact();
         for column in 0..blocks.contacts() {

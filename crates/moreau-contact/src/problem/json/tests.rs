@@ -44,6 +44,33 @@ fn mass_and_jacobian_make_the_delassus_operator_and_are_kept() {
 }
 
 #[test]
+fn a_large_matrix_with_few_entries_is_written_by_them_and_comes_back_bit_for_bit() {
+    let build = |w: DMatrix<f64>| {
+        let free = DVector::from_element(w.nrows(), -1.0);
+        ContactProblem::new(w, free).law(Law::Frictionless).rows_per_contact(1).friction(vec![0.0; 300]).build().expect("valid")
+    };
+    let mut w = DMatrix::identity(300, 300);
+    w[(7, 9)] = -0.0;
+    let (few, many) = (build(w), build(DMatrix::identity(300, 300).add_scalar(1.0)));
+    assert!(few.to_json().contains("triplets") && few.to_json().len() < 20_000 && many.to_json().contains("\"rows\":[["));
+    for problem in [&few, &many] {
+        let back = ContactProblem::from_json(&problem.to_json()).expect("well formed");
+        let bits = |problem: &ContactProblem| problem.dense().iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+        assert!(back == *problem && bits(&back) == bits(problem));
+    }
+    // of a mass with many velocities and few rows, and where both are large: W stays as it was
+    for rows in [1, 300] {
+        let dynamics = Dynamics { mass: DMatrix::identity(600, 600) * 2.0, jacobian: DMatrix::identity(rows, 600) };
+        let w = delassus(&dynamics.mass, &dynamics.jacobian).expect("SPD");
+        let problem = ContactProblem::new(w, DVector::from_element(rows, -1.0)).law(Law::Frictionless).rows_per_contact(1);
+        let problem = problem.friction(vec![0.0; rows]).dynamics(dynamics).build().expect("valid");
+        let text = problem.to_json();
+        assert!(text.contains(r#""mass":{"shape":[600,600],"triplets""#), "{}", &text[..200]);
+        assert_eq!(ContactProblem::from_json(&text).expect("well formed"), problem);
+    }
+}
+
+#[test]
 fn shift_directions_and_edge_compliance_come_back() {
     let text = r#"{"schema":"contact-problem/1","name":"edges","dimension":3,"law":"polyhedral-associated","directions":4,"friction":[0.5],
         "free_velocity":[-1,0,2],"shift":[0.25,0,-0.5],"delassus":{"shape":[3,3],"rows":[[1,0,0],[0,1,0],[0,0,1]]},
