@@ -286,7 +286,8 @@ fn a_motion_of_which_a_step_cannot_be_made_keeps_those_before() {
     let [scene, out, page, picture] = ["scene.json", "out.json", "page.html", "picture.svg"].map(|name| folder.path(name));
     // ½ v² is above the largest double from 1.9e154 m/s: after some 180 steps of 1e152 m/s each
     let thrown = r#"{"schema": "scene/1", "name": "thrown", "duration": 300, "gravity": [0, 0, 1e152], "ground": {"normal": [0, 0, 1],
-        "offset": 0}, "bodies": [{"name": "ball", "mass": 1, "sphere": {"radius": 1}, "position": [0, 0, 2]}]}"#;
+        "offset": 0}, "material": {"friction": 0, "restitution": 0},
+        "bodies": [{"name": "ball", "mass": 1, "sphere": {"radius": 1}, "position": [0, 0, 2]}]}"#;
     std::fs::write(&scene, thrown).expect("writes");
     let asked = ["simulate", "--scene", &scene, "--step", "1"];
     let run = moreau(&[&asked[..], &["--out", &out, "--html", &page, "--plot", &picture]].concat());

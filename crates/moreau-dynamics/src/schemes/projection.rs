@@ -57,7 +57,8 @@ fn least_move(normals: &Jacobian, gaps: &[f64]) -> Result<DVector<f64>> {
     for members in islands_of(normals) {
         let own = members.iter().map(|k| gaps[*k]).collect();
         let island = Island::of(members.iter().map(|k| &normals.contacts()[*k]));
-        island.velocities.iter().zip(&island.least_move(own)?).for_each(|(velocity, moved)| least[*velocity] = *moved);
+        // a velocity of another island is among these where a row has a zero in the middle of its body
+        island.velocities.iter().zip(&island.least_move(own)?).for_each(|(velocity, moved)| least[*velocity] += moved);
     }
     Ok(least)
 }
@@ -149,6 +150,17 @@ mod tests {
         let expected = dense.transpose() * metric.pseudo_inverse(1e-9).expect("not negative") * DVector::from_row_slice(&gaps);
         let found = least_move(&normals, &gaps).expect("finite");
         assert!((&found - &expected).amax() <= rounding(64, expected.amax() * singular.amax() / smallest), "{found} {expected}");
+    }
+
+    #[test]
+    fn a_body_of_two_islands_moves_in_both() {
+        // level between two bodies, and one of them on the ground: no velocity is common
+        let level = Rows::zeros(1, 12).with(0, [[1.0, 0.0, 0.0, 0.0, 0.0, 0.0]]).with(6, [[-1.0, 0.0, 0.0, 0.0, 0.0, 0.0]]);
+        let ground = Rows::zeros(1, 12).with(0, [[0.0, 0.0, 1.0, 0.0, 0.0, 0.0]]);
+        for (rows, gaps) in [(vec![level.clone(), ground.clone()], [1.0, 0.25]), (vec![ground, level], [0.25, 1.0])] {
+            let moved = least_move(&Jacobian::new(1, 12, rows), &gaps).expect("finite");
+            assert_eq!([moved[0], moved[2], moved[6]], [0.5, 0.25, -0.5]);
+        }
     }
 
     #[test]
