@@ -17,7 +17,7 @@
 //! The total energy has no theorem: the projection moves bodies along the force or against it (`moreau::checks::energy_balance`).
 
 use super::assembly::{self, normal_only};
-use super::projection::{is_held, project};
+use super::projection::{Listed, project};
 use super::{Certified, Inertia, Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use crate::mechanics::Mechanism;
 use moreau_contact::certificate::StepResidual;
@@ -42,10 +42,12 @@ pub struct MoreauJeanProjection {
 /// The contacts of the next problem: those of `contacts` that are closed or held already, and those held before that are no candidates any
 /// more, as they were.
 fn joined(contacts: Vec<Contact>, held: Vec<(Identity, Contact)>) -> Vec<(Identity, Contact)> {
-    let keys: Vec<Identity> = held.iter().map(|(key, _)| *key).collect();
-    let listed = contacts.into_iter().enumerate().filter(|(k, contact)| contact.gap <= 0.0 || is_held(*k, contact, &keys));
-    let mut next: Vec<(Identity, Contact)> = listed.map(|(k, contact)| (Identity::of(k, &contact), contact)).collect();
-    let gone: Vec<_> = held.into_iter().filter(|(key, _)| !next.iter().any(|(one, _)| one.is_same(key))).collect();
+    let before = Listed::of(held.iter().map(|(key, _)| *key));
+    let listed = contacts.into_iter().enumerate().map(|(k, contact)| (Identity::of(k, &contact), contact));
+    let mut next: Vec<(Identity, Contact)> =
+        listed.filter(|(key, contact)| contact.gap <= 0.0 || before.position(*key).is_some()).collect();
+    let now = Listed::of(next.iter().map(|(key, _)| *key));
+    let gone: Vec<_> = held.into_iter().filter(|(key, _)| now.position(*key).is_none()).collect();
     next.extend(gone);
     next
 }
@@ -63,9 +65,10 @@ impl MoreauJeanProjection {
         let (mechanism, state) = (at.mechanism(), at.state());
         let (rows, before) = (mechanism.rows_per_contact(), at.contacts());
         let jacobian = assembly::stack(held.iter().map(|(_, contact)| contact), rows, mechanism.degrees_of_freedom());
+        let earlier = Listed::of(before.iter().enumerate().map(|(k, contact)| Identity::of(k, contact)));
         let shifts = held.iter().map(|(key, contact)| {
-            let earlier = before.iter().enumerate().find(|(k, one)| is_held(*k, one, std::slice::from_ref(key)));
-            let arriving = &earlier.map_or(contact, |(_, one)| one).jacobian * &state.velocity;
+            let earlier = earlier.position(*key).map_or(contact, |k| &before[k]);
+            let arriving = &earlier.jacobian * &state.velocity;
             normal_only(contact.restitution * arriving[0], rows)
         });
         let shifts: Vec<Components> = shifts.collect();

@@ -16,6 +16,7 @@ use moreau_contact::contact::{BodyRows, Contact, Identity, Jacobian, Rows};
 use moreau_contact::operator::islands_of;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
+use std::collections::HashMap;
 
 /// Iterations of the projection: Newton's method on gaps that are closed to O(h²) needs some five.
 const ITERATIONS: usize = 50;
@@ -24,9 +25,34 @@ const ITERATIONS: usize = 50;
 /// the next iteration of the projection goes on from what was reached.
 const PRODUCTS: usize = 4;
 
-/// Whether the contact with this index is one of those held.
-pub(super) fn is_held(index: usize, contact: &Contact, held: &[Identity]) -> bool {
-    held.iter().any(|one| one.is_same(&Identity::of(index, contact)))
+/// A list of candidates in which another list's are found, as [`Identity::is_same`] compares them, without comparing all with all.
+pub(super) struct Listed {
+    by_place: HashMap<((usize, Option<usize>), [u32; 2]), usize>,
+    by_index: HashMap<usize, usize>,
+    by_index_without_place: HashMap<usize, usize>,
+}
+
+impl Listed {
+    /// Of these, in their order.
+    pub(super) fn of(list: impl Iterator<Item = Identity>) -> Self {
+        let (by_place, by_index) = (HashMap::new(), HashMap::new());
+        let mut listed = Listed { by_place, by_index, by_index_without_place: HashMap::new() };
+        for (k, one) in list.enumerate() {
+            listed.by_index.entry(one.index).or_insert(k);
+            match one.place {
+                Some(place) => listed.by_place.entry((place.bodies, place.features)).or_insert(k),
+                None => listed.by_index_without_place.entry(one.index).or_insert(k),
+            };
+        }
+        listed
+    }
+
+    /// Where the first that is the same stands.
+    pub(super) fn position(&self, one: Identity) -> Option<usize> {
+        let Some(place) = one.place else { return self.by_index.get(&one.index).copied() };
+        let found = [self.by_place.get(&(place.bodies, place.features)), self.by_index_without_place.get(&one.index)];
+        found.into_iter().flatten().min().copied()
+    }
 }
 
 /// q moved onto φ = 0 of the contacts held; where they contradict each other, to the least squares of their gaps. A contact that is no
@@ -35,10 +61,11 @@ pub(super) fn is_held(index: usize, contact: &Contact, held: &[Identity]) -> boo
 /// # Errors
 /// [`Error::Solver`] if a row or gap is not finite, or the contacts are not closed.
 pub(super) fn project(mechanism: &dyn Mechanism, mut position: DVector<f64>, held: &[Identity]) -> Result<DVector<f64>> {
+    let held = Listed::of(held.iter().copied());
     for _ in 0..ITERATIONS {
         let contacts = mechanism.contacts(&position);
-        let own: Vec<&Contact> =
-            contacts.iter().enumerate().filter(|(k, contact)| is_held(*k, contact, held)).map(|(_, one)| one).collect();
+        let is_held = |(k, contact): &(usize, &Contact)| held.position(Identity::of(*k, contact)).is_some();
+        let own: Vec<&Contact> = contacts.iter().enumerate().filter(is_held).map(|(_, one)| one).collect();
         let normal = |contact: &&Contact| contact.jacobian.combined(&[&[1.0, 0.0, 0.0][..contact.jacobian.nrows()]]);
         let normals = Jacobian::new(1, mechanism.degrees_of_freedom(), own.iter().map(normal).collect());
         let gaps: Vec<f64> = own.iter().map(|contact| contact.gap).collect();
@@ -125,6 +152,7 @@ impl Island {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use moreau_contact::contact::Place;
     use moreau_exact::tolerance::rounding;
 
     /// Contacts at bodies in space: two islands of three bodies, one with its contacts twice, and a body that meets the ground alone.
@@ -150,6 +178,19 @@ mod tests {
         let expected = dense.transpose() * metric.pseudo_inverse(1e-9).expect("not negative") * DVector::from_row_slice(&gaps);
         let found = least_move(&normals, &gaps).expect("finite");
         assert!((&found - &expected).amax() <= rounding(64, expected.amax() * singular.amax() / smallest), "{found} {expected}");
+    }
+
+    #[test]
+    fn what_is_the_same_is_found_where_it_stands_first() {
+        let place = |feature| Some(Place { bodies: (0, Some(1)), features: [feature, 0], frame: [[0.0; 3]; 3] });
+        let some = [(0, place(1)), (1, None), (2, place(2)), (3, None), (1, place(2))].map(|(index, place)| Identity { index, place });
+        for list in [&some[..], &some[..1], &some[1..2], &some[2..], &[]] {
+            let listed = Listed::of(list.iter().copied());
+            for (index, place) in (0..5).flat_map(|index| [None, place(1), place(2), place(3)].map(|place| (index, place))) {
+                let one = Identity { index, place };
+                assert_eq!(listed.position(one), list.iter().position(|other| other.is_same(&one)), "{one:?}");
+            }
+        }
     }
 
     #[test]
