@@ -14,6 +14,7 @@ use crate::report::json::pretty;
 use crate::solvers::ContactSolver;
 use crate::solvers::watch::watched;
 use crate::tolerance::bench::SHIFT;
+use crate::tolerance::cli::LONGEST_SECONDS;
 use crate::{Error, Result};
 use indicatif::ProgressBar;
 use std::path::PathBuf;
@@ -90,8 +91,12 @@ A line per solver, below:
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     arguments.tolerance.check()?;
-    if !(arguments.repeat >= 0.0 && arguments.repeat.is_finite()) {
-        return Err(Error::invalid("--repeat", format!("is {}", arguments.repeat), "give a time ≥ 0 in seconds"));
+    if !(0.0..=LONGEST_SECONDS).contains(&arguments.repeat) {
+        return Err(Error::invalid(
+            "--repeat",
+            format!("is {}", arguments.repeat),
+            format!("give a time from 0 to {LONGEST_SECONDS:e} seconds"),
+        ));
     }
     arguments.common.apply()?;
     if arguments.solves == Some(0) {

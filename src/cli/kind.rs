@@ -1,5 +1,6 @@
 //! What a file is, so that a message can say what was mistaken for what.
 
+use super::progress;
 use crate::problem::{Law, Posed, Solution};
 use crate::{Error, Result};
 use serde::Deserialize;
@@ -143,7 +144,7 @@ pub fn read_problem(file: &Path, usage: &str) -> Result<Posed> {
         let (problem, folder) = (format!("is {}, a folder", file.display()), file.display());
         return Err(Error::invalid("PROBLEM", problem, format!("give a file in it; `moreau bench {folder}` takes all of them")));
     }
-    Posed::read(file).map_err(|error| match Kind::of(file) {
+    progress::shown(&progress::word("reading"), || Posed::read(file)).map_err(|error| match Kind::of(file) {
         kind if kind.is_answer() => {
             let problem = format!("is {}, which is {}, an answer and no problem", file.display(), kind.words());
             Error::invalid("PROBLEM", problem, format!("give the problem that it answers: {usage}"))

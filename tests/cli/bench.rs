@@ -61,7 +61,9 @@ fn what_cannot_be_timed_is_refused() {
     moreau(&["bench", &folder.path(".")]).is_refused(&["PROBLEMS", "json, dat"]);
     let problem = folder.file("a.json", PROBLEM);
     moreau(&["bench", &problem, "--solver", "gauss"]).is_refused(&["--solver", "gauss"]);
-    moreau(&["bench", &problem, "--repeat", "-1"]).is_refused(&["--repeat"]);
+    for time in ["-1", "1e300", "inf"] {
+        moreau(&["bench", &problem, "--repeat", time]).is_refused(&["--repeat"]);
+    }
     moreau(&["bench", &problem, "--tolerance", "nan"]).is_refused(&["--tolerance"]);
     moreau(&["bench", &folder.file("cut.dat", &DAT[..20])]).is_refused(&["cut.dat", "W, line"]);
 }

@@ -1,10 +1,12 @@
 //! Why a file cannot be read or written, with what to do about it.
 
 use std::io::{Error, ErrorKind};
+use std::path::Path;
 
 /// Of a file that is to be read.
-pub(crate) fn of_reading(error: &Error) -> String {
+pub(crate) fn of_reading(file: &Path, error: &Error) -> String {
     let known = match error.kind() {
+        ErrorKind::NotFound if file == Path::new("-") => "there is no such file; for standard input name /dev/stdin",
         ErrorKind::NotFound => "there is no such file; look at its name, and at the folder in which it is looked for",
         ErrorKind::PermissionDenied => "it may not be read; change its permissions, or give a copy that may",
         ErrorKind::IsADirectory => "it is a folder; give a file in it",
@@ -14,8 +16,11 @@ pub(crate) fn of_reading(error: &Error) -> String {
 }
 
 /// Of a file that is to be written.
-pub(crate) fn of_writing(error: &Error) -> String {
+pub(crate) fn of_writing(file: &Path, error: &Error) -> String {
     let known = match error.kind() {
+        ErrorKind::NotFound if file.parent().is_some_and(|folder| folder.as_os_str().is_empty() || folder.is_dir()) => {
+            "its folder takes no new files; name another folder"
+        }
         ErrorKind::NotFound => "its folder is not there; make the folder, or name another one",
         ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => "it may not be written there; name another folder",
         ErrorKind::IsADirectory => "it is a folder; name a file in it",
@@ -52,20 +57,24 @@ mod tests {
     #[test]
     fn every_cause_has_a_cure_and_none_the_number_of_the_system() {
         // no such file, no permission, a file as a folder, a folder as a file, there already, no room, too many links, a long name
+        let file = Path::new("nowhere/at.json");
         for number in [2, 13, 20, 21, 17, 28, 40, 36, 5] {
             let error = Error::from_raw_os_error(number);
-            for text in [of_reading(&error), of_writing(&error)] {
+            for text in [of_reading(file, &error), of_writing(file, &error)] {
                 assert!(text.contains("; ") && !text.contains("os error"), "{number}: {text}");
             }
         }
         let bare = Error::from(ErrorKind::NotFound);
-        assert!(of_reading(&bare).contains("no such file") && of_writing(&bare).contains("make the folder"));
+        assert!(of_reading(file, &bare).contains("no such file") && of_writing(file, &bare).contains("make the folder"));
+        assert!(of_reading(Path::new("-"), &bare).contains("/dev/stdin") && !of_reading(file, &bare).contains("/dev/stdin"));
+        // here is a folder in which something is not found all the same
+        assert!(of_writing(Path::new("here.json"), &bare).contains("takes no new files"));
     }
 
     #[test]
     fn what_is_said_of_the_file_itself_stays() {
         let own = Error::new(ErrorKind::IsADirectory, "it is a folder of answers; give one");
-        assert_eq!([of_reading(&own), of_writing(&own)], ["it is a folder of answers; give one"; 2]);
-        assert_eq!(of_reading(&Error::new(ErrorKind::InvalidData, "no text; save it again")), "no text; save it again");
+        assert_eq!([of_reading(Path::new("-"), &own), of_writing(Path::new("-"), &own)], ["it is a folder of answers; give one"; 2]);
+        assert_eq!(of_reading(Path::new("-"), &Error::new(ErrorKind::InvalidData, "no text; save it again")), "no text; save it again");
     }
 }

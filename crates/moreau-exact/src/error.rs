@@ -18,7 +18,7 @@ pub type Result<T> = std::result::Result<T, Error>;
 #[non_exhaustive]
 pub enum Error {
     /// A file could not be read.
-    #[error("cannot read {}: {}", file.display(), cause::of_reading(source))]
+    #[error("cannot read {}: {}", file.display(), cause::of_reading(file, source))]
     Read {
         /// The file.
         file: PathBuf,
@@ -26,7 +26,7 @@ pub enum Error {
         source: std::io::Error,
     },
     /// A file could not be written; nothing was left half-written.
-    #[error("cannot write {}: {}", file.display(), cause::of_writing(source))]
+    #[error("cannot write {}: {}", file.display(), cause::of_writing(file, source))]
     Write {
         /// The file.
         file: PathBuf,
@@ -144,8 +144,8 @@ impl Error {
     /// Why a file could not be read or written, and what to do about it, where the file is named beside it; nothing of other errors.
     pub fn cause(&self) -> Option<String> {
         match self {
-            Error::Read { source, .. } => Some(cause::of_reading(source)),
-            Error::Write { source, .. } => Some(cause::of_writing(source)),
+            Error::Read { file, source } => Some(cause::of_reading(file, source)),
+            Error::Write { file, source } => Some(cause::of_writing(file, source)),
             _ => None,
         }
     }

@@ -10,6 +10,7 @@ use super::limits::MemoryOption;
 use super::output::{keep_files, print, print_aside};
 use super::posed::judge;
 use super::problem_law::LawOption;
+use super::progress;
 use crate::files::write_atomically;
 use crate::problem::{ContactProblem, Law, Posed, StoredAnswers};
 use crate::report::quantity::short;
@@ -20,7 +21,7 @@ use std::path::{Path, PathBuf};
 /// Write a contact problem in another format.
 ///
 /// Reads contact-problem/1, lcp/1, Siconos's .dat or FCLIB's HDF5. Writes contact-problem/1, or FCLIB's local HDF5 where the name of the
-/// output ends in .hdf5 or .h5. Every number that the format holds is kept to its last bit, from HDF5 to HDF5 the stored solution, the
+/// output ends in .hdf5 or .h5; a matrix in which few entries are not zero is written by these. Every number that the format holds is kept to its last bit, from HDF5 to HDF5 the stored solution, the
 /// guesses and the texts that describe the problem as well; FCLIB's holds W in place of M and H, and neither bodies nor keys; the
 /// name stands in it as the title, and what is read of it has the name of the file. What is not kept is named on standard error.
 #[derive(clap::Args)]
@@ -58,7 +59,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         let cure = "end --out in .hdf5 or .h5, or keep the answer as a file of its own";
         return Err(Error::invalid("--solution", "is given, and contact-problem/1 has no place for an answer", cure));
     }
-    let posed = arguments.law.pose(Posed::read(file)?)?;
+    let posed = progress::shown(&progress::word("reading"), || arguments.law.pose(Posed::read(file)?))?;
     if to_fclib {
         let problem = contacts_of(&posed).and_then(of_coulomb).map_err(|error| error.in_file(file))?;
         let stored = StoredAnswers::read(file)?;
@@ -67,14 +68,14 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
             Some(answer) => with_answer(stored, answer, &posed)?,
             None => stored,
         };
-        let bytes = problem.to_fclib_with(&answers).map_err(|error| error.in_file(file))?;
+        let bytes = progress::shown(&progress::word("writing"), || problem.to_fclib_with(&answers)).map_err(|error| error.in_file(file))?;
         out.map_or(Ok(()), |out| write_atomically(out, &bytes))?;
         dropped::tell(file, "FCLIB's local form", &dropped);
     } else {
-        let text = match &posed {
+        let text = progress::shown(&progress::word("writing"), || match &posed {
             Posed::Contacts(problem) => problem.to_json(),
             Posed::Jointed(problem) => problem.to_json(),
-        };
+        });
         match out {
             Some(out) => write_atomically(out, text.as_bytes())?,
             None => print(&text)?,

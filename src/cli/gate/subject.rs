@@ -115,7 +115,9 @@ fn cut(trajectory: &Trajectory) -> Option<String> {
         return None;
     }
     let number = |key: &str| told.and_then(|cut| cut.get(key)).and_then(serde_json::Value::as_u64);
+    let is_broken = told.is_some_and(|cut| cut.get("cause").is_some());
     let why = match (number("step"), number("of")) {
+        (Some(step), Some(of)) if is_broken => format!(": step {step} of {of} could not be made by `moreau simulate`"),
         (Some(step), Some(of)) => format!(": the time limit of `moreau simulate` ended it in step {step} of {of}"),
         _ => String::new(),
     };

@@ -19,7 +19,6 @@
 use super::assembly::{self, normal_only};
 use super::projection::{Listed, project};
 use super::{Certified, Inertia, Scheme, StepContext, StepProblem, Waist, passes_the_waist};
-use crate::mechanics::Mechanism;
 use moreau_contact::certificate::StepResidual;
 use moreau_contact::contact::{Components, Contact, Identity, pairs};
 use moreau_contact::problem::{ContactProblem, Law};
@@ -141,7 +140,7 @@ impl Waist for MoreauJeanProjection {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mechanics::{BallChain, BeadInCircle, PointMass, State};
+    use crate::mechanics::{BallChain, BeadInCircle, Mechanism, PointMass, State};
     use crate::scenes::Scene;
     use crate::schemes::{simulate, step};
     use moreau_contact::contact::Place;
