@@ -201,7 +201,8 @@ fn a_cut_motion_is_told_by_who_reads_its_trajectory() {
     // v² is above the largest double from 1.341e154 m/s: in the 135th step of 1e152 m/s each
     let scene = folder.path("thrown.json");
     let thrown = r#"{"schema": "scene/1", "name": "thrown", "duration": 300, "gravity": [0, 0, 1e152],
-        "material": {"friction": 0, "restitution": 0}, "bodies": [{"name": "ball", "mass": 1, "sphere": {"radius": 1}, "position": [0, 0, 2]}]}"#;
+        "material": {"friction": 0, "restitution": 0},
+        "bodies": [{"name": "ball", "mass": 1, "sphere": {"radius": 1}, "position": [0, 0, 2]}]}"#;
     std::fs::write(&scene, thrown).expect("writes");
     assert_eq!(moreau(&["simulate", "--scene", &scene, "--step", "1", "--out", &motion]).code, 1);
     assert!(audit().contains("it ends at t = 134 s of 300 s: step 135 of 300 could not be made by `moreau simulate`"), "{}", audit());
