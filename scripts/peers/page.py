@@ -10,7 +10,7 @@ def markdown(report):
     lines = ["# Contact solvers side by side", "",
              f"{report['date']}, {machine['processor']}, one core of {machine['cores']}, {machine['system']}. {versions}.",
              "", "<!-- not run: it measures times against other packages -->", "```sh", report["command"], "```", "",
-             f"Every solver on one core, in turn, {report['rounds']} rounds in one run; the least time counts. *natural map* is "
+             f"Every solver on one core, in turn, {report['rounds']} {'round' if report['rounds'] == 1 else 'rounds'} in one run; the least time counts. *natural map* is "
              "‖r − P_K(r − ŷ)‖/‖q‖ with ρ = 1 kg, computed by numpy from the answer of each. "
              "† the peer was given (W + Wᵀ)/2 and is judged by it. No peer beside our time: no setting of theirs reached the accuracy "
              f"within {report['limit']:g} s, or where we did within {report['patience'][0]:g} times our time "

@@ -83,6 +83,9 @@ impl Filters {
                 None => format!("--filter {group}: no claim in this group; {cure}"),
             }));
         }
+        if self.search.as_ref().is_some_and(|words| words.trim().is_empty()) {
+            return Err(Error::Unsupported("--search: has no word; give one, or leave it out".into()));
+        }
         let chosen: Vec<_> = in_group.into_iter().filter(|claim| self.is_met(claim)).collect();
         if let (true, Some(words)) = (chosen.is_empty(), &self.search) {
             let statements: Vec<String> = claims::all().map(Claim::statement).collect();

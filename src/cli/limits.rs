@@ -107,7 +107,7 @@ pub fn check_tolerance(option: &str, tolerance: f64) -> Result<()> {
         return Ok(());
     }
     let cure = "use a number from 0 to below 1, a part of the size of each contact's impulse and velocity: with 1 every answer would do";
-    Err(Error::invalid(option, format!("is {tolerance}"), cure))
+    Err(Error::invalid(option, format!("is {}", significant(tolerance)), cure))
 }
 
 #[cfg(test)]

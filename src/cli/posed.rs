@@ -82,7 +82,7 @@ fn propose(posed: &Posed, solver: &dyn ContactSolver, warm_start: Option<&DVecto
 pub(super) fn in_name_of(asked: &str, error: Error) -> Error {
     match error {
         Error::Solver { solver, failure, reason } if solver != asked => {
-            Error::solver(asked, failure, format!("`{solver}`, which it asked, {reason}"))
+            Error::solver(asked, failure, format!("`{solver}`, which it asked: {reason}"))
         }
         other => other,
     }

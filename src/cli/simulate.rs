@@ -18,6 +18,7 @@ use crate::report::deepest;
 use crate::report::json::pretty;
 use crate::report::motion::MotionReport;
 use crate::report::motion_page::MotionPage;
+use crate::report::no_answer::NoAnswer;
 use crate::report::plot;
 use crate::report::steps::StepSummary;
 use crate::report::summary::{Cut, MotionSummary};
@@ -157,10 +158,9 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
         time: recording.last().time - recording.samples[0].time,
         cause: (!seen.interrupted).then(|| error.to_string()),
     });
-    let failed = ended.err().filter(|_| !seen.interrupted).map(|error| in_scene(error, name));
-    if recording.impulses.is_empty()
-        && let Some(error) = failed
-    {
+    let mut failed = ended.err().filter(|_| !seen.interrupted).map(|error| in_scene(error, name));
+    if let Some(error) = failed.take_if(|error| recording.impulses.is_empty() || NoAnswer::of(error).is_none()) {
+        // bad input, of which nothing is written, or nothing to write
         return Err(error);
     }
     if arguments.solver.is_some() && touched && !solver.was_asked() {

@@ -51,11 +51,15 @@ pub const FORMATS: [Format; 29] = [
     Format { name: "solution", about: "solution/1, the result of `solve`", generate: read::<SolutionFile> },
     Format {
         name: "certificate",
-        about: "what `moreau certify` and `moreau solve --out FILE` write, and `solve` on standard error",
+        about: "what `moreau certify` writes, and `moreau solve` beside its answer: on standard output with --out, else on standard error",
         generate: written::<Certificate>,
     },
     Format { name: "answers", about: "what `moreau solve FOLDER` and `moreau certify FOLDER` write", generate: written::<Answers> },
-    Format { name: "no-answer", about: "what `solve` and `simulate` write where a solver gave no answer", generate: written::<NoAnswer> },
+    Format {
+        name: "no-answer",
+        about: "what `solve` and `simulate` write where a solver gave no answer, and `certify` where there is none",
+        generate: written::<NoAnswer>,
+    },
     Format {
         name: "lcp-count",
         about: "what `moreau certify --prove` writes of a linear complementarity problem without an answer",

@@ -189,4 +189,12 @@ fn a_problem_without_solution_is_not_told_to_be_solved() {
     let said = line(&run, "rail-deep.json");
     assert!(run.code == 1 && said.contains("no solution, as is proved") && !said.contains("moreau solve"), "{}", run.output);
     assert_eq!(moreau(&["certify", &folder.path("problems"), "--format", "json"]).json()["problems"][0]["status"], "infeasible");
+    // the file alone is told the same, with proofs or without
+    let file = folder.path("problems/rail-deep.json");
+    for more in [&[][..], &["--prove"]] {
+        let run = moreau(&[&["certify", &file], more].concat());
+        assert!(run.code == 1 && run.output.contains("the problem has no solution") && run.message.is_empty(), "{}", run.output);
+        let json = moreau(&[&["certify", &file, "--format", "json"], more].concat()).json();
+        assert!(json["status"] == "infeasible" && json["reason"].as_str().is_some_and(|reason| !reason.ends_with('\n')), "{json}");
+    }
 }

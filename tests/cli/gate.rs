@@ -110,6 +110,7 @@ fn an_engine_that_cannot_be_run_is_exit_code_three() {
 fn usage_errors_name_the_option_and_run_nothing() {
     gate(&["--only", "balls"], "moreau-jean").is_refused(&["balls"]);
     moreau(&["gate", "--steps", "0", "--", "true"]).is_refused(&["--steps", "0"]);
+    moreau(&["gate", "--steps", "-1", "--", "true"]).is_refused(&["--steps", "-1"]);
     moreau(&["gate", "--steps", "0.1,1/10", "--", "true"]).is_refused(&["twice"]);
     gate(&["--jobs", "0"], "moreau-jean").is_refused(&["--jobs"]);
     gate(&["--option", "theta"], "moreau-jean").is_refused(&["NAME=VALUE"]);

@@ -159,6 +159,7 @@ fn claims_are_found_by_words_and_ids_in_any_case() {
     assert_eq!(found.output, list(&["--search", "zeno"]).output);
     let both = list(&["--search", "zeno step"]);
     assert!(both.code == 0 && both.output.lines().count() < found.output.lines().count(), "{}", both.output);
+    list(&["--search", " "]).is_refused(&["--search", "has no word"]);
     list(&["--search", "complementaritty"]).is_refused(&["--search complementaritty", "did you mean `complementarity`"]);
     assert_eq!(list(&["--filter", "s4"]).output, list(&["--filter", "S4"]).output);
     assert_eq!(moreau(&["verify", "--explain", "s12.STEP"]).output, moreau(&["verify", "--explain", "S12.step"]).output);

@@ -10,8 +10,9 @@ pub(super) const USAGE: &str = "moreau certify PROBLEM SOLUTION";
 
 /// Certify an answer to a contact problem: residuals with units, and whether they are small enough.
 ///
-/// The residuals are computed from the impulses alone; residuals stored in the solution are not read, and its
-/// velocities are only compared. Each residual is held against the size of the impulses and velocities of its own pair of
+/// The residuals are computed from the impulses; residuals stored in the solution are not read, and its velocities are
+/// only compared. Its `beta` and `sigma`, where the law in the plane or of a polyhedral cone has them, are judged as they
+/// are: an answer with wrong ones is none. Each residual is held against the size of the impulses and velocities of its own pair of
 /// bodies, normal and tangential parts apart, and against the rounding of its evaluation; it is shown at the contact where
 /// it is worst. Of a folder every problem is judged with its answer NAME.solution.json, a line for each.
 #[derive(clap::Args)]
@@ -56,7 +57,8 @@ A problem and a solution of it, as `moreau new problem` writes the first and `mo
 `impulse` is r [N·s], of every contact the normal entry first; `velocity` is u = W r + u_free [m/s] and may be left
 out; so may `problem` and `solver`. Every field: docs/formats.md, `moreau schema solution`.
 
-Exit code 0: the answer is a solution, or, where none is given, one is proved to exist; 1: it is none, or none exists;
+Exit code 0: the answer is a solution, or, where none is given, one is proved to exist; 1: it is none, or none exists,
+which is looked for where no answer is given, too;
 2: the files cannot be read or do not fit each other.
 Of a folder the worst of these, and all are judged; a problem without an answer counts as 2, as 1 where it is proved
 to have no solution.";

@@ -1,11 +1,10 @@
 //! Every problem of a folder: judged with its answer as a file alone is.
 
-use super::super::kind::Kind;
 use super::super::remarks::remark;
 use super::super::{Answer, posed, progress, several};
 use super::arguments::Arguments;
-use super::reading::read_answer;
-use crate::problem::{Posed, StoredAnswers};
+use super::reading::{holds_answer, read_answer};
+use crate::problem::Posed;
 use crate::report::answers::{AnswerLine, Answers};
 use crate::{Error, Result};
 use indicatif::ProgressBar;
@@ -62,12 +61,6 @@ fn judged(arguments: &Arguments, file: &Path, answer: &Path, problem: &Posed) ->
     let certificate = posed::doubted(posed::certificate(problem, &solution, residuals, arguments.tolerance), problem, &residuals);
     let line = AnswerLine::answered(several::name(file), posed::constraints(problem), &certificate, residuals.relative());
     Ok(AnswerLine { answer: own.map(several::name), ..line })
-}
-
-/// Whether an answer stands beside the problem in its own file, which counts where no folder of answers is named.
-fn holds_answer(file: &Path) -> bool {
-    // what cannot be read has its own message
-    Kind::of(file) == Kind::Hdf5 && StoredAnswers::read(file).map_or(true, |stored| stored.solution.is_some())
 }
 
 /// The line of a problem whose answer is not there: how to make it, unless it is proved that there is none.

@@ -4,7 +4,7 @@ use super::super::kind::is_lcp;
 use super::super::output::style;
 use super::super::{Format, posed};
 use super::arguments::Arguments;
-use super::reading::read_answer;
+use super::reading::{holds_answer, read_answer};
 use crate::certificate::backward::backward;
 use crate::certificate::forward::Forward;
 use crate::certificate::impulse_set::impulse_set;
@@ -17,17 +17,25 @@ use crate::problems::{from_several_starts, near};
 use crate::report::certificate::Certificate;
 use crate::report::json::pretty;
 use crate::report::lcp_proof::{Counted, LcpProved};
+use crate::report::no_answer::NoAnswer;
 use crate::report::proofs::Proofs;
 use crate::solvers::{self, Solvers};
 use crate::{Error, Result};
 
 /// The certificate as it is printed, and whether the answer is yes.
 pub fn judged(arguments: &Arguments, posed: &Posed) -> Result<(String, bool)> {
+    let lcp = match posed {
+        Posed::Contacts(problem) => arguments.prove.then(|| lcp_of(problem)).flatten(),
+        Posed::Jointed(_) => None,
+    };
+    let is_alone = lcp.is_none() && arguments.solution.is_none() && !holds_answer(&arguments.problem);
+    if let Some(proof) = is_alone.then(|| posed::refuted(posed)).flatten() {
+        return without_solution(arguments, proof);
+    }
     let problem = match posed {
         Posed::Contacts(problem) => problem,
         Posed::Jointed(problem) => return jointed(arguments, posed, problem),
     };
-    let lcp = arguments.prove.then(|| lcp_of(problem)).flatten();
     if let (Some(lcp), None) = (&lcp, &arguments.solution) {
         let counted = Counted::new(problem.name(), lcp, &counted(problem, lcp, None)?);
         let text = if arguments.common.format == Format::Json { pretty(&counted)? } else { style().fitted(&counted.text()) };
@@ -74,6 +82,16 @@ pub fn judged(arguments: &Arguments, posed: &Posed) -> Result<(String, bool)> {
         certificate = posed::doubted(certificate, posed, &residuals);
     }
     show(&certificate, arguments.common.format)
+}
+
+/// That no answer need be looked for, as of a file in a folder.
+fn without_solution(arguments: &Arguments, proof: String) -> Result<(String, bool)> {
+    let error = Error::infeasible("certify", proof.trim_end()).in_file(&arguments.problem);
+    let text = match (arguments.common.format, NoAnswer::of(&error)) {
+        (Format::Json, Some(failure)) => pretty(&failure)?,
+        _ => style().fitted(&format!("{error}\n")),
+    };
+    Ok((text, false))
 }
 
 /// The certificate of an answer with joints.

@@ -3,7 +3,7 @@
 use super::super::kind::{Kind, read_solution};
 use super::super::posed;
 use super::arguments::USAGE;
-use crate::problem::{Posed, Solution};
+use crate::problem::{Posed, Solution, StoredAnswers};
 use crate::{Error, Result};
 use std::path::Path;
 
@@ -12,6 +12,12 @@ pub fn read_answer<'a>(file: &'a Path, answer: Option<&'a Path>, problem: &Posed
     let Some(file) = answer else { return stored_answer(file, problem) };
     let solution = read_solution(file, problem, USAGE)?;
     Ok((file, solution))
+}
+
+/// Whether an answer stands beside the problem in its own file, which counts where no answers are named.
+pub fn holds_answer(file: &Path) -> bool {
+    // what cannot be read has its own message
+    Kind::of(file) == Kind::Hdf5 && StoredAnswers::read(file).map_or(true, |stored| stored.solution.is_some())
 }
 
 /// The answer that an HDF5 file of FCLIB holds beside its problem; other problems hold none.

@@ -31,7 +31,7 @@ pub struct Arguments {
     #[arg(long, conflicts_with = "steps")]
     pub quick: bool,
     /// The time steps of the sweep [s], such as 0.01,1/240. Long ones show less: what a sound step may err grows with the step.
-    #[arg(long, value_name = "H,H,…", value_delimiter = ',')]
+    #[arg(long, value_name = "H,H,…", value_delimiter = ',', allow_hyphen_values = true)]
     pub steps: Vec<String>,
     /// Only checks whose name contains one of these.
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
@@ -104,4 +104,4 @@ Examples:
 
 Exit codes: 0 nothing is bad (or nothing worse than the baseline); 1 a check fails or errors, or a regression,
 or less is answered than --require; 2 usage; 3 the engine could not be run;
-130 interrupted, by Ctrl-C, SIGTERM or SIGHUP, after its engines were ended.";
+101 a check of ours panicked; 130 interrupted, by Ctrl-C, SIGTERM or SIGHUP, after its engines were ended.";

@@ -54,7 +54,8 @@ pub fn jointed_residuals(problem: &JointedProblem, solution: &Solution) -> Resul
     problem.require_rows("impulse", solution.impulse.len())?;
     problem.require_rows("velocity", solution.velocity.len())?;
     if solution.beta.is_some() || solution.sigma.is_some() {
-        return Err(Error::invalid("beta", "is given with an answer of a problem with `kinds`", "leave `beta` and `sigma` out"));
+        let field = if solution.beta.is_some() { "beta" } else { "sigma" };
+        return Err(Error::invalid(field, "is given with an answer of a problem with `kinds`", "leave `beta` and `sigma` out"));
     }
     let impulse = &solution.impulse;
     if let Some(row) = problem.velocity(impulse).iter().position(|u| !u.is_finite()) {

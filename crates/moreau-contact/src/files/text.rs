@@ -99,7 +99,10 @@ fn read_up_to(source: impl Read, limit: u64, sensible: impl Fn(&[u8]) -> bool) -
             Err(error) => return Err(error),
         };
         if part[..count].contains(&0) {
-            return Err(IoError::new(ErrorKind::InvalidData, "the file is not text, because it holds a byte 0; give a text file"));
+            return Err(IoError::new(
+                ErrorKind::InvalidData,
+                "the file is not text, because it holds a byte 0; give a text file, in UTF-8",
+            ));
         }
         let is_first = bytes.is_empty();
         bytes.extend_from_slice(&part[..count]);

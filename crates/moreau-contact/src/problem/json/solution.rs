@@ -32,10 +32,10 @@ pub struct SolutionFile {
     /// u = W r + u_free \[m/s\], without `shift`; if absent it is computed, and there is nothing to compare.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     velocity: Option<Vec<f64>>,
-    /// β of Stewart–Trinkle, or edge impulses \[N·s\].
+    /// β of Stewart–Trinkle, or edge impulses \[N·s\]; where it is given, it is judged with the impulses.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     beta: Option<Vec<f64>>,
-    /// σ of Stewart–Trinkle \[m/s\].
+    /// σ of Stewart–Trinkle \[m/s\]; judged where it is given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     sigma: Option<Vec<f64>>,
     /// Which contact each is, in the order of `impulse`: by these a start finds its contacts in another list.
