@@ -187,6 +187,12 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
         if arguments.out.is_some() || arguments.plot.is_some() || arguments.html.is_some() {
             print_aside(&format!("{} made before are written\n", counted(recording.impulses.len(), "step")));
         }
+        if let Some(wanted) = dumps.missing() {
+            print_aside(&format!("--dump-step {wanted} wrote nothing: the motion ended before\n"));
+        }
+        if arguments.common.format == Format::Text {
+            print(&summary.text(style()))?;
+        }
         return Err(error);
     }
     print(&match arguments.common.format {

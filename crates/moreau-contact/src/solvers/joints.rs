@@ -144,6 +144,10 @@ impl<'a> System<'a> {
             return Ok(());
         }
         let size = significant(self.velocity[row].abs());
+        if self.given[row] == 0.0 {
+            let asked = format!("no impulse of its own moves, and that has the velocity {size} m/s");
+            return Err(self.invalid(row, asked, "leave the constraint out, or let something move in its direction"));
+        }
         let asked = format!("depends on other bilateral rows and contradicts them by {size} m/s, both by rounded numbers");
         let cure =
             "leave one of the constraints out, or make `free_velocity` and `shift` agree; where masses differ by 2⁴⁰ and more, by less";
@@ -239,14 +243,18 @@ fn of_all_rows(problem: &JointedProblem, left: &WithoutJoints, error: Error) -> 
 /// fractions, and with the velocities at rest that are rounding beside what they were summed from.
 ///
 /// # Errors
-/// Those of [`WithoutJoints::new`] and of the solver; [`Error::Invalid`] if the warm start has another size. The failure `infeasible` is
+/// Those of [`WithoutJoints::new`], of which elimination in fractions takes what it can, and of the solver; [`Error::Invalid`] if the warm
+/// start has another size. The failure `infeasible` is
 /// told where it is proved of the problem, not of what elimination in floating-point numbers left of it.
 pub fn solve_jointed(problem: &JointedProblem, solver: &dyn ContactSolver, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
     if let Some(warm) = warm_start {
         problem.require_rows("warm_start", warm.len())?;
     }
-    let left = WithoutJoints::new(problem)?;
     let start = warm_start.map(|all| problem.spread(all));
+    let left = match WithoutJoints::new(problem) {
+        Ok(left) => left,
+        Err(error) => return in_fractions(problem, solver, start.as_ref(), error),
+    };
     let first = answered(problem, &left, solver, start.as_ref());
     if solver.is_truncated() || left.contacts.contacts() == 0 || first.as_ref().is_ok_and(|answer| is_accepted(problem, answer)) {
         return first.map_err(|error| of_all_rows(problem, &left, error));
@@ -254,15 +262,27 @@ pub fn solve_jointed(problem: &JointedProblem, solver: &dyn ContactSolver, warm_
     let exactly = || exactly::left_of_contacts(problem, &left.contacts).map(|contacts| WithoutJoints { contacts, ..left.clone() });
     let again: [&dyn Fn() -> Option<WithoutJoints>; 2] = [&exactly, &|| left.at_rest(problem)];
     for left in again.into_iter().filter_map(|make| make()) {
-        let Ok(mut answer) = answered(problem, &left, solver, start.as_ref()) else { continue };
-        if let Some(impulse) = exactly::completed(problem, &answer.impulse) {
-            (answer.velocity, answer.impulse) = (problem.velocity(&impulse), impulse);
-        }
-        if is_accepted(problem, &answer) {
+        let Ok(answer) = answered(problem, &left, solver, start.as_ref()) else { continue };
+        if let Some(answer) = accepted(problem, answer) {
             return Ok(answer);
         }
     }
     first.map_err(|error| of_all_rows(problem, &left, error))
+}
+
+/// What elimination in fractions leaves of joints that elimination in floating-point numbers refuses: an answer that the certificate
+/// accepts, and the refusal otherwise.
+fn in_fractions(problem: &JointedProblem, solver: &dyn ContactSolver, start: Option<&DVector<f64>>, refusal: Error) -> Result<Solution> {
+    let Some(contacts) = exactly::contacts(problem) else { return Err(refusal) };
+    let left = WithoutJoints { contacts, eliminated: Vec::new(), dependent: Vec::new(), terms: DVector::zeros(problem.rows()) };
+    accepted(problem, answered(problem, &left, solver, start)?).ok_or(refusal)
+}
+
+/// The answer with the impulses of joints in fractions, or as it is, if the certificate accepts it.
+fn accepted(problem: &JointedProblem, answer: Solution) -> Option<Solution> {
+    let completed = exactly::completed(problem, &answer.impulse);
+    let completed = completed.map(|impulse| Solution { velocity: problem.velocity(&impulse), impulse, ..answer.clone() });
+    completed.into_iter().chain([answer]).find(|answer| is_accepted(problem, answer))
 }
 
 fn is_accepted(problem: &JointedProblem, answer: &Solution) -> bool {

@@ -75,8 +75,15 @@ pub(super) fn left_of_contacts(problem: &JointedProblem, contacts: &ContactProbl
     contacts.clone().into_builder().delassus(matrix).free_velocity(free).build().ok()
 }
 
-/// The same impulses with those of the joints that the contacts ask for, rounded once; `None` where the problem is large, or the impulses
-/// of the joints are not unique.
+/// The contacts that elimination in fractions leaves, rounded once; `None` where there are many rows, or it leaves none.
+pub(super) fn contacts(problem: &JointedProblem) -> Option<ContactProblem> {
+    let (w, q) = left(problem)?;
+    let own = |row: usize| Scalar::to_f64(&(&q[row] - exact(problem.shifts()[row])));
+    problem.unilateral(&w.map(|entry| Scalar::to_f64(&entry)), &DVector::from_fn(problem.rows(), |row, _| own(row))).ok()
+}
+
+/// The same impulses with those of the joints that the contacts ask for, rounded once, and 0 where others do as well; `None` where the
+/// problem is large.
 pub(super) fn completed(problem: &JointedProblem, impulse: &DVector<f64>) -> Option<DVector<f64>> {
     let w = whole(problem)?;
     let joined: Vec<usize> = problem.bilateral().into_iter().flat_map(|k| problem.rows_of(k)).collect();
@@ -89,11 +96,30 @@ pub(super) fn completed(problem: &JointedProblem, impulse: &DVector<f64>) -> Opt
         let soft = if i == j { exact(problem.softnesses()[joined[i]]) } else { Rational::ZERO };
         &w[(joined[i], joined[j])] + soft
     };
-    let right = DVector::from_fn(joined.len(), |i, _| -free(joined[i]));
-    let found = solve(&DMatrix::from_fn(joined.len(), joined.len(), own), &right)?;
+    let (rows, columns) = independent(DMatrix::from_fn(joined.len(), joined.len(), own));
+    let right = DVector::from_iterator(rows.len(), rows.iter().map(|i| -free(joined[*i])));
+    let found = solve(&DMatrix::from_fn(rows.len(), rows.len(), |i, j| own(rows[i], columns[j])), &right)?;
     let mut all = impulse.clone();
-    joined.iter().zip(found.iter()).for_each(|(row, r)| all[*row] = Scalar::to_f64(r));
+    joined.iter().for_each(|row| all[*row] = 0.0);
+    columns.iter().zip(found.iter()).for_each(|(j, r)| all[joined[*j]] = Scalar::to_f64(r));
     Some(all)
+}
+
+/// As many rows and columns as the rank, whose entries are a regular matrix.
+fn independent(mut matrix: DMatrix<Rational>) -> (Vec<usize>, Vec<usize>) {
+    let mut rows: Vec<usize> = (0..matrix.nrows()).collect();
+    let (mut columns, mut found) = (rows.clone(), (Vec::new(), Vec::new()));
+    while let Some((row, column)) = pivot(&matrix, &rows, &columns) {
+        rows.retain(|other| *other != row);
+        columns.retain(|other| *other != column);
+        for below in rows.iter().copied() {
+            let factor = &matrix[(below, column)] / &matrix[(row, column)];
+            columns.iter().for_each(|beside| matrix[(below, *beside)] = &matrix[(below, *beside)] - &factor * &matrix[(row, *beside)]);
+        }
+        found.0.push(row);
+        found.1.push(column);
+    }
+    found
 }
 
 /// The row of every row of the contacts that are left, where it has one.

@@ -82,3 +82,35 @@ fn that_there_is_no_solution_is_told_only_where_there_is_none() {
     println!("{told} told, {wrongly_of_what_is_left} of what is left alone, {solved} solved");
     assert!(told > 200 && wrongly_of_what_is_left > 20 && solved > 1000, "{told} {wrongly_of_what_is_left} {solved}");
 }
+
+#[test]
+fn what_is_nearly_dependent_in_doubles_is_solved_in_fractions() {
+    // a pin of 1 g on the ground that holds 10⁵ kg: 1e-8 of the second W_ii is left, and both impulses are known by hand
+    let pin = |free: DVector<f64>| {
+        let w = DMatrix::from_row_slice(2, 2, &[1000.0, -1000.0, -1000.0, 1000.0 + 1.0 / 131_072.0]);
+        JointedProblem::new(1, vec![ConstraintKind::Bilateral { rows: 1 }; 2], w, free).unwrap()
+    };
+    let held = pin(DVector::from_vec(vec![0.0, -1.0]));
+    assert!(super::super::WithoutJoints::new(&held).unwrap_err().to_string().contains("nearly depends"));
+    let answer = solve_jointed(&held, &Auto, None).expect("a solution");
+    // 1000 (r₁ − r₂) = 0 and r₂/131072 = 1
+    assert_eq!(answer.impulse.as_slice(), [131_072.0, 131_072.0]);
+    // the same with the first rod twice, whose second impulse is 0, and with a third velocity that no impulse makes of it
+    let twice = |third: f64| {
+        let rows = [0, 1, 0];
+        let w = DMatrix::from_fn(3, 3, |i, j| held.delassus()[(rows[i], rows[j])]);
+        let free = DVector::from_vec(vec![0.0, -1.0, third]);
+        JointedProblem::new(1, vec![ConstraintKind::Bilateral { rows: 1 }; 3], w, free).unwrap()
+    };
+    let answer = solve_jointed(&twice(0.0), &Auto, None).expect("a solution");
+    assert!((answer.impulse[0] + answer.impulse[2], answer.impulse[1]) == (131_072.0, 131_072.0), "{}", answer.impulse);
+    assert!(matches!(solve_jointed(&twice(0.25), &Auto, None), Err(Error::Invalid { .. })), "refused as before");
+}
+
+#[test]
+fn joints_whose_w_is_asymmetric_and_has_no_pivot_on_the_diagonal_are_solved() {
+    let w = DMatrix::from_row_slice(2, 2, &[0.0, 2.0, -4.0, 0.0]);
+    let problem = JointedProblem::new(1, vec![ConstraintKind::Bilateral { rows: 2 }], w, DVector::from_vec(vec![-3.0, 1.0])).unwrap();
+    let answer = solve_jointed(&problem, &Auto, None).expect("a solution");
+    assert_eq!(answer.impulse.as_slice(), [0.25, 1.5]);
+}

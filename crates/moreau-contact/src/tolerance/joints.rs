@@ -8,7 +8,7 @@ use moreau_exact::tolerance::EPSILON;
 pub const DEPENDENT: f64 = 4000.0 * EPSILON;
 
 /// Part of W_ii that a pivot must have kept for its row to count as independent, 2⁻²⁴: what is divided by it is right to seven digits at
-/// least. A row between the two is refused, for nothing tells whether it is independent.
+/// least. A row between the two is left to fractions or refused, for nothing tells whether it is independent.
 /// Set.
 pub const INDEPENDENT: f64 = 1.0 / (1u64 << 24) as f64;
 

@@ -4,7 +4,7 @@
 //!     q⁺ ← q⁺ + d ,    d = −H_nᵀ (H_n H_nᵀ)⁺ φ(q⁺)    until d is rounding
 //! ```
 //! d is the least of the moves that leave the least squares of the gaps φ, found island by island: normals that touch no common velocity,
-//! not even through others, have no product. No matrix of an island is made: conjugate gradients on the least squares ask for products
+//! not even through others, have no product, and what nothing moves, of an infinite mass, is where it is. No matrix of an island is made: conjugate gradients on the least squares ask for products
 //! with H_n and H_nᵀ, and each of their iterates lies in the range of H_nᵀ, so that their limit is the least move also where normals
 //! are dependent.
 //!
@@ -63,6 +63,7 @@ impl Listed {
 /// [`Error::Solver`] if a row or gap is not finite, or the contacts are not closed.
 pub(super) fn project(mechanism: &dyn Mechanism, mut position: DVector<f64>, held: &[Identity]) -> Result<DVector<f64>> {
     let held = Listed::of(held.iter().copied());
+    let mass = mechanism.mass(&position).diagonal();
     for _ in 0..ITERATIONS {
         let contacts = mechanism.contacts(&position);
         let is_held = |(k, contact): &(usize, &Contact)| held.position(Identity::of(*k, contact)).is_some();
@@ -70,7 +71,7 @@ pub(super) fn project(mechanism: &dyn Mechanism, mut position: DVector<f64>, hel
         let normal = |contact: &&Contact| contact.jacobian.combined(&[&[1.0, 0.0, 0.0][..contact.jacobian.nrows()]]);
         let normals = Jacobian::new(1, mechanism.degrees_of_freedom(), own.iter().map(normal).collect());
         let gaps: Vec<f64> = own.iter().map(|contact| contact.gap).collect();
-        let correction = -least_move(&normals, &gaps)?;
+        let correction = -least_move(&normals, &gaps, &mass)?;
         if correction.amax() <= projected(position.amax()) {
             return Ok(position);
         }
@@ -79,12 +80,12 @@ pub(super) fn project(mechanism: &dyn Mechanism, mut position: DVector<f64>, hel
     Err(Error::limit("projection", format!("the contacts were not closed in {ITERATIONS} iterations; use a smaller step")))
 }
 
-/// H_n⁺ φ, the least d with the least ‖H_n d − φ‖, island by island.
-fn least_move(normals: &Jacobian, gaps: &[f64]) -> Result<DVector<f64>> {
+/// H_n⁺ φ, the least d with the least ‖H_n d − φ‖, island by island; velocities of an infinite mass stay as they are.
+fn least_move(normals: &Jacobian, gaps: &[f64], mass: &DVector<f64>) -> Result<DVector<f64>> {
     let mut least = DVector::zeros(normals.ncols());
     for members in islands_of(normals) {
         let own = members.iter().map(|k| gaps[*k]).collect();
-        let island = Island::of(members.iter().map(|k| &normals.contacts()[*k]));
+        let island = Island::of(members.iter().map(|k| &normals.contacts()[*k]), mass);
         // a velocity of another island is among these where a row has a zero in the middle of its body
         island.velocities.iter().zip(&island.least_move(own)?).for_each(|(velocity, moved)| least[*velocity] += moved);
     }
@@ -100,13 +101,17 @@ struct Island {
 }
 
 impl Island {
-    fn of<'a>(rows: impl Iterator<Item = &'a Rows> + Clone) -> Self {
-        let mut velocities: Vec<usize> = rows.clone().flat_map(Rows::parts).flat_map(|part| part.first..part.first + part.width).collect();
+    fn of<'a>(rows: impl Iterator<Item = &'a Rows>, mass: &DVector<f64>) -> Self {
+        let moved = |part: BodyRows<'_>| {
+            let entry = |axis: usize| (part.first + axis, part.entries[axis]);
+            (0..part.width).map(entry).filter(|(velocity, _)| mass[*velocity].is_finite()).collect::<Vec<_>>()
+        };
+        let entries: Vec<Vec<(usize, f64)>> = rows.map(|row| row.parts().flat_map(moved).collect()).collect();
+        let mut velocities: Vec<usize> = entries.iter().flatten().map(|(velocity, _)| *velocity).collect();
         velocities.sort_unstable();
         velocities.dedup();
-        let entry = |part: BodyRows<'_>, axis: usize| (velocities.partition_point(|one| *one < part.first + axis), part.entries[axis]);
-        let entries = |part: BodyRows<'_>| (0..part.width).map(|axis| entry(part, axis)).collect::<Vec<_>>();
-        let normals = rows.map(|row| row.parts().flat_map(entries).collect()).collect();
+        let place = |(velocity, entry): &(usize, f64)| (velocities.partition_point(|one| one < velocity), *entry);
+        let normals = entries.iter().map(|normal| normal.iter().map(place).collect()).collect();
         Island { velocities, normals }
     }
 
@@ -177,7 +182,7 @@ mod tests {
         let smallest = singular.iter().copied().filter(|value| *value > 1e-9).fold(f64::INFINITY, f64::min);
         assert!(singular.iter().filter(|value| **value <= 1e-9).count() == 2, "two contacts stand twice: {singular}");
         let expected = dense.transpose() * metric.pseudo_inverse(1e-9).expect("not negative") * DVector::from_row_slice(&gaps);
-        let found = least_move(&normals, &gaps).expect("finite");
+        let found = least_move(&normals, &gaps, &DVector::from_element(42, 1.0)).expect("finite");
         assert!((&found - &expected).amax() <= rounding(64, expected.amax() * singular.amax() / smallest), "{found} {expected}");
     }
 
@@ -200,15 +205,26 @@ mod tests {
         let level = Rows::zeros(1, 12).with(0, [[1.0, 0.0, 0.0, 0.0, 0.0, 0.0]]).with(6, [[-1.0, 0.0, 0.0, 0.0, 0.0, 0.0]]);
         let ground = Rows::zeros(1, 12).with(0, [[0.0, 0.0, 1.0, 0.0, 0.0, 0.0]]);
         for (rows, gaps) in [(vec![level.clone(), ground.clone()], [1.0, 0.25]), (vec![ground, level], [0.25, 1.0])] {
-            let moved = least_move(&Jacobian::new(1, 12, rows), &gaps).expect("finite");
+            let moved = least_move(&Jacobian::new(1, 12, rows), &gaps, &DVector::from_element(12, 1.0)).expect("finite");
             assert_eq!([moved[0], moved[2], moved[6]], [0.5, 0.25, -0.5]);
         }
+    }
+
+    #[test]
+    fn what_nothing_moves_stays_and_the_other_body_takes_the_whole_gap() {
+        let between = Rows::zeros(1, 12).with(0, [[0.0, 0.0, 1.0, 0.0, 0.0, 0.0]]).with(6, [[0.0, 0.0, -1.0, 0.0, 0.0, 0.0]]);
+        let mass = DVector::from_fn(12, |velocity, _| if velocity < 6 { 2.0 } else { f64::INFINITY });
+        let moved = least_move(&Jacobian::new(1, 12, vec![between.clone()]), &[0.25], &mass).expect("finite");
+        assert!(moved[2] == 0.25 && moved.rows_range(6..).amax() == 0.0, "{moved}");
+        // of two that nothing moves neither does
+        let fixed = DVector::from_element(12, f64::INFINITY);
+        assert_eq!(least_move(&Jacobian::new(1, 12, vec![between]), &[0.25], &fixed).expect("finite"), DVector::zeros(12));
     }
 
     #[test]
     fn a_long_lever_elsewhere_does_not_make_a_normal_dependent() {
         let lever = Rows::zeros(1, 12).with(0, [[0.0, 0.0, 1.0, 1e9, 0.0, 0.0]]);
         let normals = Jacobian::new(1, 12, vec![lever, Rows::zeros(1, 12).with(6, [[0.0, 0.0, 1.0, 0.0, 0.0, 0.0]])]);
-        assert_eq!(least_move(&normals, &[0.0, 0.25]).expect("finite")[8], 0.25);
+        assert_eq!(least_move(&normals, &[0.0, 0.25], &DVector::from_element(12, 1.0)).expect("finite")[8], 0.25);
     }
 }
