@@ -4,9 +4,9 @@
 //!     q⁺ ← q⁺ + d ,    d = −H_nᵀ (H_n H_nᵀ)⁺ φ(q⁺)    until d is rounding
 //! ```
 //! d is the least of the moves that leave the least squares of the gaps φ, found island by island: normals that touch no common velocity,
-//! not even through others, have no product, and what nothing moves, of an infinite mass, is where it is. No matrix of an island is made: conjugate gradients on the least squares ask for products
-//! with H_n and H_nᵀ, and each of their iterates lies in the range of H_nᵀ, so that their limit is the least move also where normals
-//! are dependent.
+//! not even through others, have no product, and what nothing moves, of an infinite mass, is where it is. No matrix of an island is made:
+//! conjugate gradients on the least squares ask for products with H_n and H_nᵀ, and each of their iterates lies in the range of H_nᵀ, so
+//! that their limit is the least move also where normals are dependent.
 //!
 //! # Source
 //! Björck, *Numerical Methods for Least Squares Problems*, SIAM 1996, algorithm 7.4.1.
