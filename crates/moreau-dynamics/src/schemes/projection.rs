@@ -26,9 +26,12 @@ const ITERATIONS: usize = 50;
 /// the next iteration of the projection goes on from what was reached.
 const PRODUCTS: usize = 4;
 
+/// The bodies and features of a place, as [`moreau_contact::contact::Place::is_same`] compares them.
+type Key = ((usize, Option<usize>), [u32; 2]);
+
 /// A list of candidates in which another list's are found, as [`Identity::is_same`] compares them, without comparing all with all.
 pub(super) struct Listed {
-    by_place: HashMap<((usize, Option<usize>), [u32; 2]), usize>,
+    by_place: HashMap<Key, usize>,
     by_index: HashMap<usize, usize>,
     by_index_without_place: HashMap<usize, usize>,
 }
