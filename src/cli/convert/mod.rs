@@ -22,9 +22,10 @@ use std::path::{Path, PathBuf};
 ///
 /// Reads contact-problem/1, lcp/1, Siconos's .dat or FCLIB's HDF5. Writes contact-problem/1, or FCLIB's local HDF5 where the name of the
 /// output ends in .hdf5 or .h5; a matrix in which few entries are not zero is written by these. Every number that the format holds is
-/// kept to its last bit, from HDF5 to HDF5 the stored solution, the guesses and the texts that describe the problem as well; FCLIB's holds
-/// W in place of M and H, and neither bodies nor keys; the name stands in it as the title, and what is read of it has the name of the file.
-/// What is not kept is named on standard error.
+/// kept to its last bit, but for the sign of a zero where a form has entries that are not zero alone (HDF5; M and H by triplets, of more
+/// than 240 rows). From HDF5 to HDF5 the stored solution, the guesses and the texts that describe the problem are kept as well; FCLIB's
+/// holds W in place of M and H, and neither bodies nor keys; the name stands in it as the title, and what is read of it has the name of
+/// the file. What is not kept is named on standard error.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
